@@ -1,0 +1,41 @@
+/// The seam behind which rays find triangles: Embree today, hand-rolled hierarchies beside it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/ray.h"
+#include "core/scene.h"
+
+namespace candil {
+
+/// Decides whether a geometric hit counts: alpha coverage and invisible back faces. Called inside the traversal for the
+/// meshes whose material asks for it (`hit_needs_filter`); true keeps the hit. Must be pure: the same ray and hit
+/// always get the same answer.
+struct HitFilter {
+  bool (*needs_filter)(const Scene&, const Material&) = nullptr;
+  /// `normal` is the geometric normal of the triangle in object space, `direction` the ray's there; both unnormalised.
+  bool (*accept)(const Scene&, const Ray& world_ray, const Hit&, bool is_front_face) = nullptr;
+};
+
+class Accelerator {
+ public:
+  virtual ~Accelerator() = default;
+  /// The nearest accepted hit with t in [0, ray.t_max).
+  virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
+  /// Whether there is any accepted hit with t in [0, ray.t_max).
+  virtual bool occluded(const Ray& ray) const = 0;
+  /// Bytes that the hierarchy occupies, the scene itself not counted.
+  virtual std::size_t memory_bytes() const = 0;
+};
+
+/// Builds an Embree hierarchy on all threads of the calling task arena. The scene must outlive the result.
+/// Throws std::runtime_error when Embree cannot be started or runs out of memory.
+std::unique_ptr<Accelerator> make_embree_accelerator(const Scene& scene, HitFilter filter);
+
+/// "3.13.5": the version of the library that is linked.
+std::string embree_version();
+
+}  // namespace candil

@@ -1,0 +1,160 @@
+#include "core/light_sampler.h"
+
+#include <cmath>
+
+#include "core/color.h"
+#include "core/emission.h"
+#include "core/punctual.h"
+#include "core/warp.h"
+
+namespace candil {
+namespace {
+
+/// The point of a triangle as if a ray had hit it.
+SurfacePoint point_on_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t mesh, std::uint32_t triangle,
+                               Vec2 barycentric) {
+  Hit hit;
+  hit.barycentric = barycentric;
+  hit.instance = instance, hit.mesh = mesh, hit.triangle = triangle;
+  return make_surface_point(scene, hit);
+}
+
+float triangle_area(const Mesh& mesh, const Affine& to_world, const Triangle& t) {
+  const Vec3 a = mesh.positions[t.x];
+  const Vec3 edge_b = to_world.vector(mesh.positions[t.y] - a), edge_c = to_world.vector(mesh.positions[t.z] - a);
+  return 0.5f * glm::length(glm::cross(edge_b, edge_c));
+}
+
+/// Mean luminance of what one side emits, from a fixed grid of points on the triangle.
+float mean_emission(const Scene& scene, std::uint32_t instance, std::uint32_t mesh, std::uint32_t triangle) {
+  const Material& material = scene.materials[scene.meshes[mesh].material];
+  const bool varies = material.emission_texture.is_used() || material.is_unlit || material.alpha_mode != AlphaMode::opaque;
+  const int side = varies ? 4 : 1;
+  float sum = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const Vec2 u((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
+                 (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
+    const SurfacePoint point = point_on_triangle(scene, instance, mesh, triangle, sample_triangle(u));
+    sum += luminance(emitted_radiance(scene, point, true)) * alpha_coverage(scene, material, point.uv, point.color);
+  }
+  return sum / static_cast<float>(side * side);
+}
+
+}  // namespace
+
+LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(scene.environment) {
+  std::vector<float> powers;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Object& object = scene.objects[instance.object];
+    instance_offset_.push_back(static_cast<std::uint32_t>(mesh_first_light_.size()));
+    for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
+      const Mesh& mesh = scene.meshes[m];
+      const Material& material = scene.materials[mesh.material];
+      mesh_first_light_.push_back(material.is_emissive() ? static_cast<std::uint32_t>(triangles_.size()) : invalid_id);
+      if (!material.is_emissive()) continue;
+      for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const float area = triangle_area(mesh, instance.to_world, mesh.triangles[t]);
+        const float sides = material.is_double_sided ? 2.0f : 1.0f;
+        const bool is_usable = area > 0 && area < infinity;
+        triangles_.push_back({i, m, t, is_usable ? area : 0.0f});
+        powers.push_back(is_usable ? sides * pi * area * mean_emission(scene, i, m, t) : 0.0f);
+      }
+    }
+  }
+  const float scene_radius = glm::max(scene_bounds(scene).radius(), 1e-6f);
+  for (const PunctualLight& light : scene.punctual_lights) powers.push_back(punctual_power(light, scene_radius));
+  if (environment_.is_present()) {
+    // Flux through the disc that the scene shows to each direction.
+    powers.push_back(environment_.mean_luminance() * 4 * pi * pi * sqr(scene_radius));
+  }
+  table_ = AliasTable(powers);
+}
+
+std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, float u_pick, Vec2 u) const {
+  const AliasTable::Sample picked = table_.sample(u_pick);
+  const std::size_t first_punctual = triangles_.size();
+  std::optional<LightSample> sample;
+  if (picked.index < first_punctual) {
+    sample = sample_emissive(triangles_[picked.index], from, u);
+  } else if (picked.index < first_punctual + scene_.punctual_lights.size()) {
+    sample = sample_punctual(scene_.punctual_lights[picked.index - first_punctual], from);
+  } else {
+    sample = sample_environment(from, u);
+  }
+  if (sample) sample->pdf *= picked.probability;
+  return sample;
+}
+
+std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from,
+                                                         Vec2 u) const {
+  const SurfacePoint on = point_on_triangle(scene_, light.instance, light.mesh, light.triangle, sample_triangle(u));
+  const Vec3 towards = on.position - from.position;
+  const float distance_squared = length_squared(towards);
+  if (!(distance_squared > 0)) return std::nullopt;
+  LightSample sample;
+  sample.wi = towards / glm::sqrt(distance_squared);
+  const float cos_light = -glm::dot(sample.wi, on.normal_geometric);
+  const Material& material = scene_.materials[on.material];
+  if (cos_light == 0 || light.area == 0 || (cos_light < 0 && !material.is_double_sided)) return std::nullopt;
+  sample.radiance = emitted_radiance(scene_, on, cos_light > 0) *
+                    alpha_coverage(scene_, material, on.uv, on.color);
+  sample.pdf = distance_squared / (std::abs(cos_light) * light.area);
+  const Vec3 origin = offset_origin(from, sample.wi);
+  const Vec3 ray = offset_origin(on, -sample.wi) - origin;
+  const float length = glm::length(ray);
+  if (!(length > 0)) return std::nullopt;
+  sample.shadow_ray = {origin, ray / length, length};
+  return sample;
+}
+
+std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& light, const SurfacePoint& from) const {
+  LightSample sample;
+  sample.is_delta = true;
+  sample.pdf = 1;
+  float distance = infinity;
+  if (light.kind == PunctualKind::directional) {
+    sample.wi = -light.direction;
+    sample.radiance = light.intensity;
+  } else {
+    const Vec3 towards = light.position - from.position;
+    distance = glm::length(towards);
+    if (!(distance > 0)) return std::nullopt;
+    sample.wi = towards / distance;
+    sample.radiance = punctual_irradiance(light, sample.wi, distance);
+  }
+  if (is_black(sample.radiance)) return std::nullopt;
+  sample.shadow_ray = {offset_origin(from, sample.wi), sample.wi, distance};
+  return sample;
+}
+
+std::optional<LightSample> LightSampler::sample_environment(const SurfacePoint& from, Vec2 u) const {
+  const EnvironmentLight::Sample direction = environment_.sample(u);
+  if (!(direction.pdf > 0)) return std::nullopt;
+  LightSample sample;
+  sample.wi = direction.direction;
+  sample.radiance = direction.radiance;
+  sample.pdf = direction.pdf;
+  sample.shadow_ray = {offset_origin(from, sample.wi), sample.wi};
+  return sample;
+}
+
+float LightSampler::pdf_hit(Vec3 from_position, const SurfacePoint& on) const {
+  const std::uint32_t slot = instance_offset_[on.instance] + on.mesh -
+                             scene_.objects[scene_.instances[on.instance].object].first_mesh;
+  if (mesh_first_light_[slot] == invalid_id) return 0;
+  const std::uint32_t light = mesh_first_light_[slot] + on.triangle;
+  const Vec3 towards = on.position - from_position;
+  const float distance_squared = length_squared(towards);
+  const float cosine_times_distance = std::abs(glm::dot(towards, on.normal_geometric));
+  const float area = triangles_[light].area;
+  if (cosine_times_distance == 0 || area == 0) return 0;
+  return table_.probability(light) * distance_squared * glm::sqrt(distance_squared) / (cosine_times_distance * area);
+}
+
+float LightSampler::pdf_miss(Vec3 direction) const {
+  if (!environment_.is_present()) return 0;
+  return table_.probability(static_cast<std::uint32_t>(table_.size() - 1)) * environment_.pdf(direction);
+}
+
+}  // namespace candil

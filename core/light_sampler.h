@@ -1,0 +1,60 @@
+/// Chooses lights for next-event estimation and tells how likely a direction found otherwise would have been chosen.
+#pragma once
+
+#include <vector>
+
+#include "core/distribution.h"
+#include "core/environment.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace candil {
+
+struct LightSample {
+  Vec3 wi{0.0f};        ///< Unit, from the surface towards the light.
+  Vec3 radiance{0.0f};  ///< W/(sr m2) arriving if nothing is in between; for delta lights the irradiance on a surface that
+                        ///< faces the light. May be black.
+  float pdf = 0;        ///< 1/sr, the choice of the light included; for delta lights the probability of that choice alone.
+  Ray shadow_ray;       ///< From the surface, offset, to the light: occluded means in shadow.
+  bool is_delta = false;  ///< No other strategy can find this light: no MIS weight.
+};
+
+/// Picks one light with probability proportional to its estimated power (alias table), then a point on it or a direction
+/// to it. The shading point is part of every call so that a light tree can take its place.
+class LightSampler {
+ public:
+  explicit LightSampler(const Scene& scene);
+
+  bool is_empty() const { return table_.size() == 0; }
+  std::size_t light_count() const { return table_.size(); }
+
+  /// Nothing when the sampled light cannot shine on the point (its back side, or outside of a spot's cone).
+  std::optional<LightSample> sample(const SurfacePoint& from, float u_pick, Vec2 u) const;
+
+  /// Density, 1/sr as seen from `from_position`, with which sample() would have found the emitter at `on`; 0 for a
+  /// surface that is not a light. `from_position` is where the ray that found it started.
+  float pdf_hit(Vec3 from_position, const SurfacePoint& on) const;
+  /// The same for a direction that leaves the scene; 0 without an environment.
+  float pdf_miss(Vec3 direction) const;
+
+  const EnvironmentLight& environment() const { return environment_; }
+
+ private:
+  struct EmissiveTriangle {
+    std::uint32_t instance, mesh, triangle;
+    float area;  // m2, world space
+  };
+  std::optional<LightSample> sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from, Vec2 u) const;
+  std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from) const;
+  std::optional<LightSample> sample_environment(const SurfacePoint& from, Vec2 u) const;
+
+  const Scene& scene_;
+  EnvironmentLight environment_;
+  std::vector<EmissiveTriangle> triangles_;
+  // Light ids: emissive triangles first, then punctual lights, then the environment (if any).
+  AliasTable table_;
+  std::vector<std::uint32_t> instance_offset_;  // per instance, into mesh_first_light_
+  std::vector<std::uint32_t> mesh_first_light_;  // per mesh of an instance, first light id or invalid_id
+};
+
+}  // namespace candil

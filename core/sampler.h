@@ -1,0 +1,76 @@
+/// Random numbers as a pure function of (seed, pixel, sample index, dimension): Owen-scrambled Sobol points.
+///
+/// Every dimension (a pair of numbers) is the two-dimensional Sobol sequence, with its own scrambling and its own shuffled
+/// order of the samples, so that the pairs are stratified each by itself and independent of each other (Burley 2020,
+/// "Practical Hash-based Owen Scrambling", JCGT 9(4)). Since there is no state, nothing depends on who asks when.
+#pragma once
+
+#include "core/hash.h"
+
+namespace candil {
+
+/// Bits in reverse order.
+inline std::uint32_t reverse_bits(std::uint32_t x) {
+  x = __builtin_bswap32(x);
+  x = ((x & 0x0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0fU);
+  x = ((x & 0x33333333U) << 2) | ((x >> 2) & 0x33333333U);
+  return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
+}
+
+/// Permutes integers such that each bit depends on the bits below it only: an Owen scrambling of the bit-reversed value
+/// (Laine and Karras 2011, with the constants of Nathan Vegdahl 2021).
+inline std::uint32_t laine_karras_permutation(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeaU;
+  x += seed;
+  x *= (seed >> 16) | 1U;
+  x ^= x * 0x05526c56U;
+  x ^= x * 0x53a22864U;
+  return x;
+}
+
+/// The second Sobol dimension of an index, bits reversed. Its generator is Pascal's triangle modulo 2: bit j is
+/// the exclusive or of all index bits whose position contains j as a set of binary digits, done here a digit at a time.
+inline std::uint32_t sobol_second_dimension_reversed(std::uint32_t index) {
+  index ^= (index >> 1) & 0x55555555U;
+  index ^= (index >> 2) & 0x33333333U;
+  index ^= (index >> 4) & 0x0f0f0f0fU;
+  index ^= (index >> 8) & 0x00ff00ffU;
+  return index ^ (index >> 16);
+}
+
+class Sampler {
+ public:
+  Sampler(glm::uvec2 pixel, std::uint32_t sample_index, std::uint64_t seed)
+      : pixel_seed_(pixel_seed(pixel, seed)), reversed_index_(reverse_bits(sample_index)) {}
+
+  /// A point in [0, 1)^2. The points of the first 2^k samples form a (0, k, 2)-net.
+  Vec2 sample_2d(std::uint32_t dimension) const {
+    const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
+    const std::uint32_t index = shuffled_index(dimension_seed);
+    const std::uint32_t x = laine_karras_permutation(index, dimension_seed * 0x9e3779b9U);
+    const std::uint32_t y = laine_karras_permutation(sobol_second_dimension_reversed(index),
+                                                     dimension_seed * 0xc2b2ae35U);
+    return {to_unit_float(reverse_bits(x)), to_unit_float(reverse_bits(y))};
+  }
+
+  /// The first number of sample_2d(dimension).
+  float sample_1d(std::uint32_t dimension) const {
+    const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
+    const std::uint32_t x =
+        laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * 0x9e3779b9U);
+    return to_unit_float(reverse_bits(x));
+  }
+
+ private:
+  static std::uint32_t pixel_seed(glm::uvec2 pixel, std::uint64_t seed) {
+    const auto low = static_cast<std::uint32_t>(seed), high = static_cast<std::uint32_t>(seed >> 32);
+    return hash_combine(hash_combine(hash_combine(hash(low), high), pixel.x), pixel.y);
+  }
+  std::uint32_t shuffled_index(std::uint32_t dimension_seed) const {
+    return reverse_bits(laine_karras_permutation(reversed_index_, dimension_seed));
+  }
+
+  std::uint32_t pixel_seed_, reversed_index_;
+};
+
+}  // namespace candil

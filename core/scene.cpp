@@ -1,0 +1,78 @@
+#include "core/scene.h"
+
+namespace candil {
+namespace {
+
+void bake(Mesh& mesh, const Affine& to_world) {
+  const Mat3 normals = normal_matrix(to_world.linear);
+  const bool is_mirrored = glm::determinant(to_world.linear) < 0;
+  for (Vec3& p : mesh.positions) p = to_world.point(p);
+  for (Vec3& n : mesh.normals) {
+    const Vec3 turned = normals * n;
+    const float length = glm::length(turned);
+    if (length > 0 && length < infinity) n = turned / length;
+  }
+  for (Vec4& t : mesh.tangents) {
+    const Vec3 turned = to_world.vector(Vec3(t));
+    const float length = glm::length(turned);
+    if (length > 0 && length < infinity) t = Vec4(turned / length, is_mirrored ? -t.w : t.w);
+  }
+  if (is_mirrored) {
+    for (Triangle& t : mesh.triangles) t = {t.x, t.z, t.y};
+  }
+}
+
+template <typename Function>
+void for_each_mesh_of(const Scene& scene, const Instance& instance, const Function& function) {
+  const Object& object = scene.objects[instance.object];
+  for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
+    function(scene.meshes[m]);
+  }
+}
+
+}  // namespace
+
+Bounds scene_bounds(const Scene& scene) {
+  Bounds bounds;
+  for (const Instance& instance : scene.instances) {
+    for_each_mesh_of(scene, instance, [&](const Mesh& mesh) {
+      for (const Vec3 p : mesh.positions) bounds.add(instance.to_world.point(p));
+    });
+  }
+  return bounds;
+}
+
+bool has_light(const Scene& scene) {
+  if (!scene.punctual_lights.empty() || scene.environment.is_present()) return true;
+  bool found = false;
+  for (const Instance& instance : scene.instances) {
+    for_each_mesh_of(scene, instance, [&](const Mesh& mesh) {
+      found = found || !is_black(scene.materials[mesh.material].emission);
+    });
+  }
+  return found;
+}
+
+std::size_t instanced_triangle_count(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    for_each_mesh_of(scene, instance, [&](const Mesh& mesh) { count += mesh.triangles.size(); });
+  }
+  return count;
+}
+
+void bake_single_instances(Scene& scene) {
+  std::vector<std::uint32_t> uses(scene.objects.size());
+  for (const Instance& instance : scene.instances) ++uses[instance.object];
+  for (Instance& instance : scene.instances) {
+    if (uses[instance.object] != 1 || instance.is_world_space) continue;
+    const Object& object = scene.objects[instance.object];
+    for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
+      bake(scene.meshes[m], instance.to_world);
+    }
+    instance.to_world = Affine{};
+    instance.is_world_space = true;
+  }
+}
+
+}  // namespace candil

@@ -1,0 +1,46 @@
+/// Maps of the unit square to the domains that are sampled, each with its density.
+#pragma once
+
+#include <cmath>
+
+#include "core/math.h"
+
+namespace candil {
+
+/// Unit disc, uniform (density 1/pi); keeps neighbours neighbours (Shirley and Chiu 1997).
+inline Vec2 sample_disc(Vec2 u) {
+  const Vec2 p = 2.0f * u - 1.0f;
+  if (p.x == 0 && p.y == 0) return Vec2(0);
+  const bool is_x_larger = std::abs(p.x) > std::abs(p.y);
+  const float radius = is_x_larger ? p.x : p.y;
+  const float angle = is_x_larger ? pi / 4 * (p.y / p.x) : pi / 2 - pi / 4 * (p.x / p.y);
+  return radius * Vec2(std::cos(angle), std::sin(angle));
+}
+
+/// Hemisphere around +Z, density cos(theta) / pi per steradian.
+inline Vec3 sample_cosine_hemisphere(Vec2 u) {
+  const Vec2 d = sample_disc(u);
+  return {d.x, d.y, safe_sqrt(1 - d.x * d.x - d.y * d.y)};
+}
+inline float pdf_cosine_hemisphere(float cos_theta) { return glm::max(0.0f, cos_theta) / pi; }
+
+/// Sphere, uniform: density 1/(4 pi) per steradian.
+inline Vec3 sample_sphere(Vec2 u) {
+  const float z = 1 - 2 * u.x;
+  const float radius = safe_sqrt(1 - z * z), angle = 2 * pi * u.y;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+inline constexpr float pdf_sphere = 1 / (4 * pi);
+
+/// Barycentric weights of the second and third vertex, uniform over a triangle's area (Heitz 2019, "A Low-Distortion Map
+/// Between Triangle and Square").
+inline Vec2 sample_triangle(Vec2 u) {
+  if (u.y > u.x) {
+    const float x = 0.5f * u.x;
+    return {x, u.y - x};
+  }
+  const float y = 0.5f * u.y;
+  return {u.x - y, y};
+}
+
+}  // namespace candil

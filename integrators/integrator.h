@@ -1,0 +1,40 @@
+/// What every integrator answers, and the table of them.
+#pragma once
+
+#include "core/sampler.h"
+#include "integrators/render.h"
+
+namespace candil {
+
+/// One camera path.
+struct PathSample {
+  Vec3 radiance{0.0f};  ///< W/(sr m2) along the camera ray, premultiplied by alpha.
+  float alpha = 0;      ///< 1 where the ray hit something.
+};
+
+/// Follows one camera ray. Adds the rays it shoots, the camera ray included, to `rays`.
+using Integrator = PathSample (*)(const RenderContext&, const RenderSettings&, const Ray& camera_ray, const Sampler&,
+                                  RayCounts& rays);
+
+/// Unidirectional path tracing with next-event estimation and multiple importance sampling.
+PathSample trace_path(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
+/// The same expected value without next-event estimation: lights are found by chance. The oracle of trace_path().
+PathSample trace_naive(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
+/// Shading normal of the first hit, world space, mapped from [-1, 1] to [0, 1].
+PathSample show_normals(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
+/// Albedo of the first hit's closure; emitters show as white.
+PathSample show_albedo(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
+
+Integrator integrator_function(IntegratorKind kind);
+
+/// Sampler dimensions, so that one path's numbers for one purpose are the same whatever else is drawn.
+namespace dimension {
+inline constexpr std::uint32_t filter = 0, lens = 1, first_vertex = 2, per_vertex = 4;
+/// Within a vertex.
+inline constexpr std::uint32_t light_point = 0, choices = 1, direction = 2, roulette = 3;
+inline std::uint32_t of_vertex(std::uint32_t bounce, std::uint32_t purpose) {
+  return first_vertex + bounce * per_vertex + purpose;
+}
+}  // namespace dimension
+
+}  // namespace candil

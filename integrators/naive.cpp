@@ -1,0 +1,35 @@
+// Path tracing in its plainest form: the light that the closure's samples happen to find. Slow, and easy to check by eye.
+#include "core/emission.h"
+#include "integrators/path_state.h"
+
+namespace candil {
+
+PathSample trace_naive(const RenderContext& context, const RenderSettings& settings, const Ray& camera_ray,
+                       const Sampler& sampler, RayCounts& rays) {
+  PathState state;
+  state.ray = camera_ray;
+  ++rays.camera;
+  while (true) {
+    const std::optional<Hit> hit = context.accelerator.intersect(state.ray);
+    if (!hit) {
+      if (state.bounce == 0 && settings.transparent_background) return {};
+      state.radiance += state.throughput * background(context, state);
+      break;
+    }
+    if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    const SurfacePoint point = make_surface_point(context.scene, *hit);
+    const Vec3 wo = -state.ray.direction;
+    state.radiance += state.throughput *
+                      emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
+    if (state.bounce >= settings.max_bounces) break;
+    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
+    const float u_lobe = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::choices)).y;
+    const Vec2 u_direction = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::direction));
+    if (!scatter(state, context.scene, point, bsdf, u_lobe, u_direction)) break;
+    if (!survives_roulette(state, sampler)) break;
+    ++rays.bounce;
+  }
+  return {state.radiance, 1};
+}
+
+}  // namespace candil

@@ -1,0 +1,195 @@
+#include "integrators/render.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <xmmintrin.h>
+#include <pmmintrin.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "core/camera.h"
+#include "integrators/integrator.h"
+
+namespace candil {
+namespace {
+
+constexpr int tile_size = 16;
+constexpr double progress_interval_seconds = 0.2;
+
+/// Flushes denormals to zero while it lives: Embree asks for it, and our own sums do not need them.
+class DenormalsAreZero {
+ public:
+  DenormalsAreZero() : saved_(_mm_getcsr()) {
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  }
+  ~DenormalsAreZero() { _mm_setcsr(saved_); }
+  DenormalsAreZero(const DenormalsAreZero&) = delete;
+  DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
+
+ private:
+  unsigned saved_;
+};
+
+struct Block {
+  std::uint32_t first_sample, samples;
+};
+
+/// One render under way. Threads work on tiles of a block of samples; whatever they count is integers, so that the order
+/// in which tiles end does not matter.
+class RenderJob {
+ public:
+  RenderJob(const RenderContext& context, const Camera& camera, const RenderSettings& settings,
+            const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop)
+      : context_(context), settings_(settings), camera_(camera, settings.width, settings.height),
+        filter_(settings.filter), trace_(integrator_function(settings.integrator)), on_progress_(on_progress),
+        stop_(stop), film_(settings.width, settings.height) {}
+
+  RenderResult run() {
+    const std::uint32_t wanted = settings_.samples_per_pixel;
+    while (film_.sample_count() < wanted && !is_stopped() && !is_out_of_time()) {
+      const Block block{film_.sample_count(), next_block_size(film_.sample_count(), wanted)};
+      film_.begin_block();
+      tiles_done_ = 0;
+      render_block(block);
+      if (is_cancelled_) {
+        film_.drop_block();
+        break;
+      }
+      film_.end_block(block.samples);
+      report(0, block.samples);
+    }
+    RenderResult result{std::move(film_), {camera_rays_, bounce_rays_, shadow_rays_}, non_finite_, seconds()};
+    const bool is_complete = result.film.sample_count() == wanted;
+    result.was_interrupted = !is_complete && is_stopped();
+    result.was_out_of_time = !is_complete && !result.was_interrupted;
+    return result;
+  }
+
+ private:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
+  bool is_out_of_time() const {
+    return settings_.time_limit_seconds > 0 && seconds() >= settings_.time_limit_seconds;
+  }
+
+  void render_block(const Block& block) {
+    using Tiles = tbb::blocked_range2d<int>;
+    const Tiles image(0, settings_.height, tile_size, 0, settings_.width, tile_size);
+    tbb::parallel_for(image, [&](const Tiles& tile) {
+      // The first block always ends, so that there is a picture to write.
+      if (block.first_sample > 0 && (is_cancelled_ || is_stopped() || is_out_of_time())) {
+        is_cancelled_ = true;
+        return;
+      }
+      render_tile(tile, block);
+      tiles_done_ += static_cast<std::int64_t>(tile.rows().size()) * static_cast<std::int64_t>(tile.cols().size());
+      report_sometimes(block);
+    }, tbb::simple_partitioner());
+  }
+
+  void render_tile(const tbb::blocked_range2d<int>& tile, const Block& block) {
+    const DenormalsAreZero denormals_are_zero;
+    RayCounts rays;
+    std::uint64_t non_finite = 0;
+    for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+        PairwiseSum sum;
+        for (std::uint32_t i = 0; i < block.samples; ++i) {
+          const Sampler sampler({x, y}, block.first_sample + i, settings_.seed);
+          const Vec2 position = Vec2(x, y) + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
+          const Vec2 u_lens = camera_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
+          PathSample sample = trace_(context_, settings_, camera_.ray(position, u_lens), sampler, rays);
+          if (!is_finite(sample.radiance)) {
+            ++non_finite;
+            sample.radiance = Vec3(0);
+          }
+          sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
+        }
+        film_.block_pixel(x, y) = sum.total();
+      }
+    }
+    camera_rays_ += rays.camera;
+    bounce_rays_ += rays.bounce;
+    shadow_rays_ += rays.shadow;
+    non_finite_ += non_finite;
+  }
+
+  void report_sometimes(const Block& block) {
+    if (!on_progress_) return;
+    const std::unique_lock lock(progress_mutex_, std::try_to_lock);
+    if (!lock || seconds() - last_report_ < progress_interval_seconds) return;
+    report(tiles_done_, block.samples);
+  }
+
+  /// `pixels` of the block under way are done; 0 right after a block.
+  void report(std::int64_t pixels, std::uint32_t block_samples) {
+    if (!on_progress_) return;
+    if (pixels == 0) relative_noise_ = film_.relative_noise();
+    const double pixel_count = static_cast<double>(settings_.width) * settings_.height;
+    const double samples = film_.sample_count() + block_samples * static_cast<double>(pixels) / pixel_count;
+    RenderProgress progress;
+    progress.samples_done = film_.sample_count();
+    progress.samples_wanted = settings_.samples_per_pixel;
+    progress.fraction_done = samples / settings_.samples_per_pixel;
+    progress.seconds = last_report_ = seconds();
+    progress.samples_per_second = progress.seconds > 0 ? samples * pixel_count / progress.seconds : 0;
+    progress.relative_noise = relative_noise_;
+    on_progress_(progress);
+  }
+
+  const RenderContext& context_;
+  const RenderSettings& settings_;
+  const CameraRays camera_;
+  const PixelFilter filter_;
+  const Integrator trace_;
+  const std::function<void(const RenderProgress&)>& on_progress_;
+  const std::atomic<bool>* stop_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+
+  Film film_;
+  std::atomic<bool> is_cancelled_{false};
+  std::atomic<std::int64_t> tiles_done_{0};
+  std::atomic<std::uint64_t> camera_rays_{0}, bounce_rays_{0}, shadow_rays_{0}, non_finite_{0};
+  std::mutex progress_mutex_;
+  double last_report_ = 0;
+  float relative_noise_ = 0;
+};
+
+}  // namespace
+
+std::optional<IntegratorKind> integrator_from_name(std::string_view name) {
+  if (name == "path") return IntegratorKind::path;
+  if (name == "naive") return IntegratorKind::naive;
+  if (name == "normals") return IntegratorKind::normals;
+  if (name == "albedo") return IntegratorKind::albedo;
+  return std::nullopt;
+}
+
+Integrator integrator_function(IntegratorKind kind) {
+  switch (kind) {
+    case IntegratorKind::path: return trace_path;
+    case IntegratorKind::naive: return trace_naive;
+    case IntegratorKind::normals: return show_normals;
+    case IntegratorKind::albedo: return show_albedo;
+  }
+  return trace_path;
+}
+
+RenderResult render(const RenderContext& context, const Camera& camera, const RenderSettings& settings,
+                    const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop) {
+  const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  std::optional<RenderResult> result;
+  arena.execute([&] { result.emplace(RenderJob(context, camera, settings, on_progress, stop).run()); });
+  return std::move(*result);
+}
+
+}  // namespace candil

@@ -1,0 +1,145 @@
+#include "materials/dielectric.h"
+
+#include "core/color.h"
+#include "core/warp.h"
+#include "materials/fresnel.h"
+#include "materials/ggx.h"
+
+namespace candil {
+
+DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo& ggx, Vec3 wo)
+    : ggx_(&ggx), table_(p.table), roughness_(p.roughness), alpha_(sqr(p.roughness)), is_thin_(p.is_thin),
+      from_inside_(p.from_inside), reflects_all_(p.ior == 0), tint_(p.tint), f0_(p.f0), f90_(p.f90) {
+  eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
+  has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.ior));
+  const bool is_invisible = !is_thin_ && !reflects_all_ && eta_ == 1;  // nothing refracts: roughness has no effect
+  is_delta_ = alpha_ < ggx_min_alpha || is_invisible;
+  if (is_delta_) return;
+  lost_ = lost_energy(wo.z, Side::here);
+  if (is_thin_ || reflects_all_ || !table_) {
+    mean_lost_here_ = mean_lost_beyond_ = glm::max(1e-6f, 1 - ggx.average(roughness_).total());
+    multiple_transmitted_ = reflects_all_ ? 0 : 1 - luminance(fresnel_schlick_average(f0_, f90_));
+  } else {
+    mean_lost_here_ = glm::max(1e-6f, 1 - table_->average(roughness_, from_inside_));
+    mean_lost_beyond_ = glm::max(1e-6f, 1 - table_->average(roughness_, !from_inside_));
+    const float beyond = mean_lost_beyond_ * sqr(eta_);
+    multiple_transmitted_ = beyond / (beyond + mean_lost_here_);
+  }
+}
+
+Vec3 DielectricLobes::reflectance(float cosine) const {
+  if (reflects_all_) return Vec3(1);
+  const float exact = fresnel_dielectric(cosine, eta_);
+  if (has_exact_fresnel_ || exact >= 1) return Vec3(exact);
+  const float f0 = sqr((eta_ - 1) / (eta_ + 1));
+  return glm::clamp(f0_ + (f90_ - f0_) * ((exact - f0) / (1 - f0)), 0.0f, 1.0f);
+}
+
+float DielectricLobes::reflection_probability(Vec3 facet_reflectance) const {
+  const float reflected = luminance(facet_reflectance);
+  const float transmitted = luminance((1.0f - facet_reflectance) * tint_);
+  return transmitted > 0 ? reflected / (reflected + transmitted) : 1.0f;
+}
+
+float DielectricLobes::lost_energy(float cosine, Side side) const {
+  const float kept = is_thin_ || reflects_all_ || !table_
+                         ? ggx_->directional(roughness_, cosine).total()
+                         : table_->directional(roughness_, cosine, from_inside_ == (side == Side::here));
+  return glm::max(0.0f, 1 - kept);
+}
+
+BsdfEval DielectricLobes::eval_facets(Vec3 wo, Vec3 wi) const {
+  const bool is_reflection = wi.z > 0;
+  if (is_reflection || is_thin_) {
+    const Vec3 mirrored(wi.x, wi.y, std::abs(wi.z));
+    const Vec3 h = glm::normalize(wo + mirrored);
+    const float density = ggx_distribution(h, alpha_) / (4 * wo.z);
+    const Vec3 fresnel = reflectance(glm::dot(wo, h));
+    const float probability = reflection_probability(fresnel);
+    return {(is_reflection ? fresnel : (1.0f - fresnel) * tint_) * (density * ggx_masking_shadowing(wo, mirrored, alpha_)),
+            (is_reflection ? probability : 1 - probability) * density * ggx_masking(wo, alpha_)};
+  }
+  if (reflects_all_) return {};
+  // The facet that refracts wo into wi (Walter et al. 2007, equation 16), turned to the outside.
+  Vec3 h = glm::normalize(wo + eta_ * wi);
+  if (h.z < 0) h = -h;
+  const float cos_o = glm::dot(wo, h), cos_i = glm::dot(wi, h);
+  if (cos_o <= 0 || cos_i >= 0) return {};
+  const Vec3 fresnel = reflectance(cos_o);
+  const float distribution = ggx_distribution(h, alpha_);
+  const float jacobian = -cos_i / sqr(cos_i + cos_o / eta_);  // d(h) / d(wi)
+  const float density = distribution * cos_o / wo.z * jacobian;
+  return {(1.0f - fresnel) * tint_ * (density * ggx_masking_shadowing(wo, wi, alpha_) / sqr(eta_)),
+          (1 - reflection_probability(fresnel)) * density * ggx_masking(wo, alpha_)};
+}
+
+BsdfEval DielectricLobes::eval_multiple(Vec3 wi) const {
+  const float cosine = std::abs(wi.z), cosine_pdf = pdf_cosine_hemisphere(cosine);
+  if (wi.z > 0) {
+    const float share = 1 - multiple_transmitted_;
+    const float value = share * lost_ * lost_energy(cosine, Side::here) / mean_lost_here_ * cosine_pdf;
+    return {Vec3(value), lost_ * share * cosine_pdf};
+  }
+  const float radiance_scale = is_thin_ ? 1.0f : 1 / sqr(eta_);
+  const float value = multiple_transmitted_ * lost_ * lost_energy(cosine, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
+  return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * cosine_pdf};
+}
+
+BsdfEval DielectricLobes::eval(Vec3 wo, Vec3 wi) const {
+  if (is_delta_ || wo.z <= 0 || wi.z == 0) return {};
+  const BsdfEval facets = eval_facets(wo, wi), multiple = eval_multiple(wi);
+  return {facets.f_cos + multiple.f_cos, (1 - lost_) * facets.pdf + multiple.pdf};
+}
+
+std::optional<BsdfSample> DielectricLobes::sample_delta(Vec3 wo, float u_lobe) const {
+  const Vec3 fresnel = reflectance(wo.z);
+  const float probability = reflection_probability(fresnel);
+  BsdfSample result;
+  result.is_delta = true;
+  if (u_lobe < probability) {
+    result.wi = {-wo.x, -wo.y, wo.z};
+    result.weight = fresnel / probability;
+    result.pdf = probability;
+    return result;
+  }
+  result.is_transmission = true;
+  result.pdf = 1 - probability;
+  result.eta = is_thin_ ? 1.0f : eta_;
+  result.wi = is_thin_ ? -wo : refract(wo, Vec3(0, 0, 1), eta_);
+  result.weight = (1.0f - fresnel) * tint_ / (result.pdf * sqr(result.eta));
+  return result;
+}
+
+std::optional<BsdfSample> DielectricLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+  if (wo.z <= 0) return std::nullopt;
+  if (is_delta_) return sample_delta(wo, u_lobe);
+  BsdfSample result;
+  if (u_lobe < lost_) {
+    result.wi = sample_cosine_hemisphere(u_direction);
+    if (u_lobe < lost_ * multiple_transmitted_) result.wi.z = -result.wi.z;
+  } else {
+    const float u = glm::min((u_lobe - lost_) / (1 - lost_), one_minus_epsilon);
+    const Vec3 h = sample_ggx_visible(wo, alpha_, u_direction);
+    const float cosine = glm::dot(wo, h);
+    if (cosine <= 0) return std::nullopt;
+    const Vec3 fresnel = reflectance(cosine);
+    const bool is_reflection = u < reflection_probability(fresnel);
+    if (is_reflection || is_thin_) {
+      result.wi = 2 * cosine * h - wo;
+      if (result.wi.z <= 0) return std::nullopt;
+      if (!is_reflection) result.wi.z = -result.wi.z;
+    } else {
+      result.wi = refract(wo, h, eta_);
+      if (result.wi.z >= 0) return std::nullopt;
+    }
+  }
+  const BsdfEval value = eval(wo, result.wi);
+  if (!(value.pdf > 0)) return std::nullopt;
+  result.weight = value.f_cos / value.pdf;
+  result.pdf = value.pdf;
+  result.is_transmission = result.wi.z < 0;
+  result.eta = result.is_transmission && !is_thin_ ? eta_ : 1.0f;
+  return result;
+}
+
+}  // namespace candil

@@ -1,0 +1,60 @@
+/// Glass and thin sheets: the transmitting part of the glTF material (KHR_materials_transmission, _volume, _ior, _specular).
+///
+/// A volume refracts with exact Fresnel reflectance at GGX facets (Walter et al. 2007). A thin-walled surface does not bend light: its
+/// transmission is the reflection lobe mirrored through the sheet, as the extension's text has it. KHR_materials_specular reshapes
+/// the reflectance between its f0 and f90; without it the exact curve stands. Energy lost between facets comes back as
+/// diffuse-like lobes on both sides, split so that the closure stays reciprocal (Kulla and Conty 2017, dielectrics).
+/// Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is transmission.
+#pragma once
+
+#include <optional>
+
+#include "materials/bsdf_sample.h"
+#include "materials/ggx_albedo.h"
+
+namespace candil {
+
+struct DielectricParameters {
+  float roughness = 0;         ///< Perceptual.
+  float ior = 1.5f;            ///< Of the medium behind the front side; 0: infinite.
+  bool is_thin = false;
+  bool from_inside = false;    ///< wo is inside of the medium; false for thin walls.
+  Vec3 tint{1.0f};             ///< Colour of what is transmitted at this interface.
+  Vec3 f0{0.04f}, f90{1.0f};   ///< Reflectance at normal and grazing incidence.
+  const DielectricAlbedo* table = nullptr;  ///< Of this index; may be null when the surface is smooth or does not refract.
+};
+
+class DielectricLobes {
+ public:
+  DielectricLobes() = default;
+  DielectricLobes(const DielectricParameters& parameters, const GgxAlbedo& ggx, Vec3 wo);
+
+  BsdfEval eval(Vec3 wo, Vec3 wi) const;
+  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  bool is_purely_delta() const { return is_delta_; }
+  Vec3 albedo() const { return glm::mix(tint_, Vec3(1), 0.04f); }
+
+ private:
+  enum class Side { here, beyond };
+
+  Vec3 reflectance(float cosine) const;
+  /// Probability of following the reflected ray at a facet, given its reflectance.
+  float reflection_probability(Vec3 facet_reflectance) const;
+  float lost_energy(float cosine, Side side) const;
+  BsdfEval eval_facets(Vec3 wo, Vec3 wi) const;
+  BsdfEval eval_multiple(Vec3 wi) const;
+  std::optional<BsdfSample> sample_delta(Vec3 wo, float u_lobe) const;
+
+  const GgxAlbedo* ggx_ = nullptr;
+  const DielectricAlbedo* table_ = nullptr;
+  float roughness_ = 0, alpha_ = 0;
+  float eta_ = 1;               // index beyond the interface over the index on wo's side
+  bool is_thin_ = false, from_inside_ = false, is_delta_ = true;
+  bool has_exact_fresnel_ = true, reflects_all_ = false;
+  Vec3 tint_{1.0f}, f0_{0.04f}, f90_{1.0f};
+  float lost_ = 0;              // energy towards wo that single scattering loses; also the probability of the broad lobes
+  float mean_lost_here_ = 1, mean_lost_beyond_ = 1;
+  float multiple_transmitted_ = 0;  // share of the lost energy that goes beyond
+};
+
+}  // namespace candil

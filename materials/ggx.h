@@ -1,0 +1,52 @@
+/// The isotropic GGX microfacet distribution with Smith's height-correlated masking and shadowing (Walter et al. 2007,
+/// Heitz 2014). Local frame: z is the surface normal. `alpha` is the square of the perceptual roughness.
+#pragma once
+
+#include <cmath>
+
+#include "core/math.h"
+
+namespace candil {
+
+/// Below this alpha the lobe is a mirror: a delta distribution.
+inline constexpr float ggx_min_alpha = 1e-3f;
+
+/// Density of facet normals; 1/sr, projected to the surface it integrates to 1.
+inline float ggx_distribution(Vec3 h, float alpha) {
+  const float a2 = sqr(alpha);
+  // 1 - h.z^2 from x and y keeps its digits where the peak is narrow.
+  const float t = sqr(h.x) + sqr(h.y) + a2 * sqr(h.z);
+  return a2 / (pi * sqr(t));
+}
+
+/// Smith's lambda: masked area per visible area.
+inline float ggx_lambda(Vec3 w, float alpha) {
+  const float cos2 = sqr(w.z);
+  if (cos2 == 0) return infinity;
+  return 0.5f * (glm::sqrt(1 + sqr(alpha) * (sqr(w.x) + sqr(w.y)) / cos2) - 1);
+}
+
+/// Fraction of facets visible from w.
+inline float ggx_masking(Vec3 w, float alpha) { return 1 / (1 + ggx_lambda(w, alpha)); }
+
+/// Visible from both; for directions on opposite sides too.
+inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, float alpha) {
+  return 1 / (1 + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
+}
+
+/// A facet normal as seen from wo (wo.z > 0), with density ggx_visible_pdf() (Dupuy and Benyoub 2023, "Sampling Visible
+/// GGX Normals with Spherical Caps").
+inline Vec3 sample_ggx_visible(Vec3 wo, float alpha, Vec2 u) {
+  const Vec3 stretched = glm::normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
+  const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
+  const float radius = safe_sqrt(1 - sqr(z)), phi = 2 * pi * u.x;
+  const Vec3 h = Vec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
+  return glm::normalize(Vec3(alpha * h.x, alpha * h.y, glm::max(1e-9f, h.z)));
+}
+
+/// Density of visible normals, 1/sr.
+inline float ggx_visible_pdf(Vec3 wo, Vec3 h, float alpha) {
+  return ggx_masking(wo, alpha) * ggx_distribution(h, alpha) * glm::max(0.0f, glm::dot(wo, h)) / wo.z;
+}
+
+}  // namespace candil

@@ -1,0 +1,132 @@
+#include "materials/ggx_albedo.h"
+
+#include <tbb/parallel_for.h>
+
+#include "core/sampler.h"
+#include "materials/fresnel.h"
+#include "materials/ggx.h"
+
+namespace candil {
+namespace {
+
+constexpr int roughness_count = AlbedoGrid::roughness_count, cosine_count = AlbedoGrid::cosine_count;
+constexpr std::uint32_t sample_count = 512;
+
+/// Interpolation between the two grid points around a coordinate in [0, 1].
+struct GridPosition {
+  int index;
+  float fraction;
+  GridPosition(float coordinate, int count) {
+    const float position = glm::clamp(coordinate, 0.0f, 1.0f) * static_cast<float>(count - 1);
+    index = glm::min(static_cast<int>(position), count - 2);
+    fraction = position - static_cast<float>(index);
+  }
+};
+
+float grid_coordinate(int index, int count) { return static_cast<float>(index) / static_cast<float>(count - 1); }
+
+Vec3 direction_of_cosine(float cosine) {
+  const float z = glm::max(cosine, 1e-4f);  // the limit of grazing incidence
+  return {safe_sqrt(1 - sqr(z)), 0, z};
+}
+
+/// Mean of `value(wo, h, alpha)` over visible facet normals h.
+template <typename Value>
+auto integrate(float roughness, float cosine, const Value& value) {
+  const Vec3 wo = direction_of_cosine(cosine);
+  const float alpha = glm::max(sqr(roughness), ggx_min_alpha);
+  decltype(value(wo, wo, alpha)) sum{};
+  for (std::uint32_t i = 0; i < sample_count; ++i) {
+    const Vec2 u = Sampler({0, 0}, i, 0).sample_2d(0);
+    sum += value(wo, sample_ggx_visible(wo, alpha, u), alpha);
+  }
+  return sum * (1.0f / sample_count);
+}
+
+/// 2 * integral of mu * row(mu), exactly for the linear interpolant of the row.
+float cosine_weighted_mean(const std::array<float, cosine_count>& row) {
+  constexpr float step = 1.0f / (cosine_count - 1);
+  float sum = 0;
+  for (int i = 0; i + 1 < cosine_count; ++i) {
+    const float left = grid_coordinate(i, cosine_count), right = grid_coordinate(i + 1, cosine_count);
+    sum += step / 6 * (row[i] * (2 * left + right) + row[i + 1] * (left + 2 * right));
+  }
+  return 2 * sum;
+}
+
+template <typename Function>
+void for_each_cell(const Function& function) {
+  tbb::parallel_for(0, roughness_count, [&](int r) {
+    for (int c = 0; c < cosine_count; ++c) {
+      function(r, c, grid_coordinate(r, roughness_count), grid_coordinate(c, cosine_count));
+    }
+  });
+}
+
+/// Energy that one facet sends on towards directions that are not shadowed.
+float dielectric_energy(Vec3 wo, Vec3 h, float alpha, float eta) {
+  const float cosine = glm::dot(wo, h);
+  if (cosine <= 0) return 0;
+  const float reflectance = fresnel_dielectric(cosine, eta);
+  const float masking = ggx_masking(wo, alpha);
+  float energy = 0;
+  const Vec3 reflected = 2 * cosine * h - wo;
+  if (reflected.z > 0) energy += reflectance * ggx_masking_shadowing(wo, reflected, alpha) / masking;
+  if (reflectance < 1) {
+    const Vec3 refracted = refract(wo, h, eta);
+    if (refracted.z < 0) energy += (1 - reflectance) * ggx_masking_shadowing(wo, refracted, alpha) / masking;
+  }
+  return energy;
+}
+
+}  // namespace
+
+float AlbedoGrid::lookup(float roughness, float cosine) const {
+  const GridPosition r(roughness, roughness_count), c(cosine, cosine_count);
+  const auto row = [&](int index) {
+    return glm::mix(values[index][c.index], values[index][c.index + 1], c.fraction);
+  };
+  return glm::mix(row(r.index), row(r.index + 1), r.fraction);
+}
+
+GgxAlbedo::GgxAlbedo() {
+  for_each_cell([&](int r, int c, float roughness, float cosine) {
+    const Vec2 split = integrate(roughness, cosine, [](Vec3 wo, Vec3 h, float alpha) {
+      const Vec3 wi = 2 * glm::dot(wo, h) * h - wo;
+      if (wi.z <= 0) return Vec2(0);
+      const float schlick = fresnel_schlick(Vec3(0), Vec3(1), glm::dot(wo, h)).x;
+      return Vec2(1 - schlick, schlick) * (ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha));
+    });
+    scale_.values[r][c] = split.x;
+    bias_.values[r][c] = split.y;
+  });
+  for (int r = 0; r < roughness_count; ++r) {
+    average_[r] = {cosine_weighted_mean(scale_.values[r]), cosine_weighted_mean(bias_.values[r])};
+  }
+}
+
+GgxAlbedo::Split GgxAlbedo::average(float roughness) const {
+  const GridPosition r(roughness, roughness_count);
+  const Split &low = average_[r.index], &high = average_[r.index + 1];
+  return {glm::mix(low.scale, high.scale, r.fraction), glm::mix(low.bias, high.bias, r.fraction)};
+}
+
+DielectricAlbedo::DielectricAlbedo(float ior) : ior_(ior) {
+  for (const bool inside : {false, true}) {
+    const float eta = inside ? 1 / ior : ior;
+    AlbedoGrid& grid = sides_[inside];
+    for_each_cell([&](int r, int c, float roughness, float cosine) {
+      grid.values[r][c] = integrate(roughness, cosine, [eta](Vec3 wo, Vec3 h, float alpha) {
+        return dielectric_energy(wo, h, alpha, eta);
+      });
+    });
+    for (int r = 0; r < roughness_count; ++r) averages_[inside][r] = cosine_weighted_mean(grid.values[r]);
+  }
+}
+
+float DielectricAlbedo::average(float roughness, bool from_inside) const {
+  const GridPosition r(roughness, roughness_count);
+  return glm::mix(averages_[from_inside][r.index], averages_[from_inside][r.index + 1], r.fraction);
+}
+
+}  // namespace candil

@@ -1,0 +1,61 @@
+/// How much energy a rough interface returns in its first scattering: what is missing to 1 is what multiple scattering
+/// between the facets must give back (Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks").
+#pragma once
+
+#include <array>
+
+#include <cmath>
+
+#include "core/math.h"
+
+namespace candil {
+
+/// Values over roughness in [0, 1] and the cosine in [0, 1], linearly interpolated.
+struct AlbedoGrid {
+  static constexpr int roughness_count = 32, cosine_count = 32;
+  std::array<std::array<float, cosine_count>, roughness_count> values{};
+
+  float lookup(float roughness, float cosine) const;
+};
+
+/// A reflecting GGX interface under Schlick's Fresnel term: single-scattering albedo = f0 scale + f90 bias.
+class GgxAlbedo {
+ public:
+  GgxAlbedo();
+
+  struct Split {
+    float scale, bias;
+    float total() const { return scale + bias; }  ///< Albedo where Fresnel's term is 1 everywhere.
+  };
+  /// Directional albedo for a direction with that cosine.
+  Split directional(float roughness, float cosine) const {
+    return {scale_.lookup(roughness, cosine), bias_.lookup(roughness, cosine)};
+  }
+  /// Its mean over the cosine-weighted hemisphere.
+  Split average(float roughness) const;
+
+ private:
+  AlbedoGrid scale_, bias_;
+  std::array<Split, AlbedoGrid::roughness_count> average_;
+};
+
+/// A rough dielectric that reflects and refracts, seen from either side: reflected plus transmitted energy.
+class DielectricAlbedo {
+ public:
+  /// `ior` > 0, not 1.
+  explicit DielectricAlbedo(float ior);
+
+  /// `from_inside`: the direction is on the side of the higher index (of the medium).
+  float directional(float roughness, float cosine, bool from_inside) const {
+    return sides_[from_inside].lookup(roughness, cosine);
+  }
+  float average(float roughness, bool from_inside) const;
+  float ior() const { return ior_; }
+
+ private:
+  float ior_;
+  std::array<AlbedoGrid, 2> sides_;
+  std::array<std::array<float, AlbedoGrid::roughness_count>, 2> averages_;
+};
+
+}  // namespace candil

@@ -1,0 +1,91 @@
+// Where a glTF material's parameters and textures become a closure.
+#include "core/emission.h"
+#include "core/texture.h"
+#include "materials/bsdf.h"
+#include "materials/fresnel.h"
+
+namespace candil {
+namespace {
+
+/// Front-side shading normal with the normal map applied (glTF 2.0, section 3.9.3).
+Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {
+  if (!material.normal_texture.is_used() || point.tangent.w == 0) return point.normal;
+  const Vec3 t = 2.0f * Vec3(sample_texture(scene, material.normal_texture, point.uv, ColorSpace::linear)) - 1.0f;
+  const Vec3 tangent(point.tangent);
+  const Vec3 bitangent = (point.tangent.w < 0 ? -1.0f : 1.0f) * glm::cross(point.normal, tangent);
+  const Vec3 n = material.normal_scale * (t.x * tangent + t.y * bitangent) + t.z * point.normal;
+  const float squared = length_squared(n);
+  return squared > 0 ? n / glm::sqrt(squared) : point.normal;
+}
+
+/// Turns a normal that wo sees from behind (interpolated or mapped past the silhouette) until wo just is above it.
+Vec3 face_towards(Vec3 normal, Vec3 wo) {
+  constexpr float least_cosine = 1e-3f;
+  const float cosine = glm::dot(normal, wo);
+  return cosine >= least_cosine ? normal : glm::normalize(normal + (least_cosine - cosine) * wo);
+}
+
+float channel(const Scene& scene, const TextureSlot& slot, const SurfacePoint& point, int index) {
+  return slot.is_used() ? sample_texture(scene, slot, point.uv, ColorSpace::linear)[index] : 1.0f;
+}
+
+}  // namespace
+
+Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo) {
+  const Material& material = scene.materials[point.material];
+  const bool is_front = glm::dot(wo, point.normal_geometric) >= 0;
+  const float side = is_front ? 1.0f : -1.0f;
+  const Vec3 normal = face_towards(side * mapped_normal(scene, material, point), wo);
+  Bsdf bsdf(normal, side * point.normal_geometric);
+  if (material.is_unlit) {
+    bsdf.opaque_ = OpaqueLobes({}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits
+    return bsdf;
+  }
+
+  const Vec3 base(base_color(scene, material, point.uv, point.color));
+  float metallic = material.metallic, roughness = material.roughness;
+  if (material.metallic_roughness_texture.is_used()) {
+    const Vec4 texel = sample_texture(scene, material.metallic_roughness_texture, point.uv, ColorSpace::linear);
+    roughness *= texel.y;
+    metallic *= texel.z;
+  }
+  const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
+  Vec3 specular_color = material.specular_color;
+  if (material.specular_color_texture.is_used()) {
+    specular_color *= Vec3(sample_texture(scene, material.specular_color_texture, point.uv, ColorSpace::srgb));
+  }
+  const Vec3 f0 = glm::min(reflectance_of_ior(material.ior) * specular_color, Vec3(1)) * specular;
+  const Vec3 f90(specular);
+  const float transmission =
+      material.is_transmissive() ? material.transmission * channel(scene, material.transmission_texture, point, 0) : 0;
+  const Vec3 local_o(0, 0, glm::dot(wo, normal));  // the lobes only look at the cosine here
+
+  bsdf.dielectric_weight_ = (1 - metallic) * transmission;
+  if (bsdf.dielectric_weight_ < 1) {
+    // What does not transmit: metal and coated diffuse in proportion.
+    const float metal = metallic / (1 - bsdf.dielectric_weight_);
+    OpaqueParameters p;
+    p.roughness = roughness;
+    p.diffuse = (1 - metal) * base;
+    p.f0 = glm::mix(f0, base, metal);
+    p.f90 = glm::mix(f90, Vec3(1), metal);
+    p.coat_f0 = max_component(f0);
+    p.coat_f90 = specular;
+    bsdf.opaque_ = OpaqueLobes(p, tables.ggx(), local_o);
+  }
+  if (bsdf.dielectric_weight_ > 0) {
+    DielectricParameters p;
+    p.roughness = roughness;
+    p.ior = material.ior;
+    p.is_thin = !material.is_volume();
+    p.from_inside = !is_front && !p.is_thin;
+    p.tint = base;
+    p.f0 = f0;
+    p.f90 = f90;
+    p.table = tables.dielectric(point.material);
+    bsdf.dielectric_ = DielectricLobes(p, tables.ggx(), local_o);
+  }
+  return bsdf;
+}
+
+}  // namespace candil

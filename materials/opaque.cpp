@@ -1,0 +1,107 @@
+#include "materials/opaque.h"
+
+#include "core/color.h"
+#include "core/warp.h"
+#include "materials/fresnel.h"
+#include "materials/ggx.h"
+
+namespace candil {
+namespace {
+
+/// Colour of light that was reflected at least twice between facets: the geometric series of Kulla and Conty 2017.
+Vec3 multiple_scattering_color(Vec3 f0, Vec3 f90, float mean_albedo) {
+  const Vec3 mean = fresnel_schlick_average(f0, f90);
+  return mean * mean * mean_albedo / (1.0f - mean * (1 - mean_albedo));
+}
+
+}  // namespace
+
+OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3 wo)
+    : table_(&table), roughness_(p.roughness), alpha_(sqr(p.roughness)), f0_(p.f0), f90_(p.f90), diffuse_(p.diffuse),
+      coat_f0_(p.coat_f0), coat_f90_(p.coat_f90), albedo_(p.diffuse) {
+  has_specular_ = max_component(glm::max(f0_, f90_)) > 0;
+  if (!has_specular_) return;
+  is_delta_ = alpha_ < ggx_min_alpha;
+  if (is_delta_) roughness_ = 0;
+  const GgxAlbedo::Split single = is_delta_ ? GgxAlbedo::Split{1 - fresnel_schlick(Vec3(0), Vec3(1), wo.z).x,
+                                                                fresnel_schlick(Vec3(0), Vec3(1), wo.z).x}
+                                             : table.directional(roughness_, wo.z);
+  const GgxAlbedo::Split mean = table.average(roughness_);
+  const Vec3 specular = f0_ * single.scale + f90_ * single.bias;
+  if (!is_delta_) {
+    const float lost = glm::max(0.0f, 1 - single.total()), mean_lost = glm::max(1e-6f, 1 - mean.total());
+    multiple_ = multiple_scattering_color(f0_, f90_, mean.total()) * (lost / mean_lost);
+    coat_multiple_ = multiple_scattering_color(Vec3(coat_f0_), Vec3(coat_f90_), mean.total()).x;
+  }
+  if (!is_black(diffuse_)) {
+    const auto coat = [&](const GgxAlbedo::Split& s) {
+      return coat_f0_ * s.scale + coat_f90_ * s.bias + coat_multiple_ * (1 - s.total());
+    };
+    diffuse_ *= glm::max(0.0f, 1 - coat(single)) / glm::max(1e-6f, 1 - coat(mean));
+  }
+  // Choose lobes by the energy that each returns towards wo.
+  const Vec3 broad = multiple_ * (1 - mean.total()) + diffuse_ * glm::max(0.0f, 1 - (coat_f0_ * mean.scale + coat_f90_ * mean.bias));
+  const float specular_energy = luminance(specular), broad_energy = luminance(broad);
+  specular_probability_ = broad_energy > 0 ? specular_energy / (specular_energy + broad_energy) : 1.0f;
+  albedo_ = glm::min(specular + broad, Vec3(1));
+}
+
+/// Base and multiple scattering: everything that is sampled by the cosine. Without the factor cos / pi.
+Vec3 OpaqueLobes::diffuse_like(float cosine_i) const {
+  if (!has_specular_) return diffuse_;
+  if (is_delta_) {
+    const float schlick = fresnel_schlick(Vec3(0), Vec3(1), cosine_i).x;
+    return diffuse_ * (1 - (coat_f0_ * (1 - schlick) + coat_f90_ * schlick));
+  }
+  const GgxAlbedo::Split single = table_->directional(roughness_, cosine_i);
+  const float lost = glm::max(0.0f, 1 - single.total());
+  const float coat = coat_f0_ * single.scale + coat_f90_ * single.bias + coat_multiple_ * lost;
+  return diffuse_ * glm::max(0.0f, 1 - coat) + multiple_ * lost;
+}
+
+BsdfEval OpaqueLobes::eval(Vec3 wo, Vec3 wi) const {
+  if (wi.z <= 0 || wo.z <= 0) return {};
+  const float cosine_pdf = pdf_cosine_hemisphere(wi.z);
+  BsdfEval result{diffuse_like(wi.z) * cosine_pdf, (1 - specular_probability_) * cosine_pdf};
+  if (has_specular_ && !is_delta_) {
+    const Vec3 h = glm::normalize(wo + wi);
+    const float visible = ggx_masking_shadowing(wo, wi, alpha_);
+    const float distribution = ggx_distribution(h, alpha_);
+    const Vec3 fresnel = fresnel_schlick(f0_, f90_, glm::dot(wo, h));
+    result.f_cos += fresnel * (distribution * visible / (4 * wo.z));
+    // d(h)/d(wi) = 1 / (4 wo.h)
+    result.pdf += specular_probability_ * ggx_masking(wo, alpha_) * distribution / (4 * wo.z);
+  }
+  return result;
+}
+
+std::optional<BsdfSample> OpaqueLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+  if (wo.z <= 0) return std::nullopt;
+  BsdfSample result;
+  if (u_lobe < specular_probability_) {
+    if (is_delta_) {
+      result.wi = {-wo.x, -wo.y, wo.z};
+      result.weight = fresnel_schlick(f0_, f90_, wo.z) / specular_probability_;
+      result.pdf = specular_probability_;
+      result.is_delta = true;
+      return result;
+    }
+    const Vec3 h = sample_ggx_visible(wo, alpha_, u_direction);
+    result.wi = 2 * glm::dot(wo, h) * h - wo;
+  } else {
+    result.wi = sample_cosine_hemisphere(u_direction);
+    if (!has_specular_) {
+      if (result.wi.z <= 0) return std::nullopt;
+      result.weight = diffuse_;
+      result.pdf = pdf_cosine_hemisphere(result.wi.z);
+      return result;
+    }
+  }
+  const BsdfEval value = eval(wo, result.wi);
+  if (!(value.pdf > 0)) return std::nullopt;
+  result.weight = value.f_cos / value.pdf;
+  result.pdf = value.pdf;
+  return result;
+}
+
+}  // namespace candil

@@ -1,0 +1,49 @@
+/// Metal and coated diffuse: the opaque part of the glTF material, as one GGX specular lobe over a diffuse base.
+///
+/// glTF 2.0, appendix B: mix(fresnel_mix(diffuse, specular), conductor, metallic). Schlick's term is linear in f0 and f90,
+/// so metal and dielectric share one specular lobe. What the text leaves to the renderer:
+/// - energy lost between facets comes back as a diffuse-like lobe (Kulla and Conty 2017), coloured by repeated Fresnel reflection;
+/// - the base gets what the coat's albedo leaves over, on the way in and out (Kelemen and Szirmay-Kalos 2001), instead
+///   of 1 - F(V.H): white stays exactly white in a furnace, and the lobe is reciprocal.
+/// Local frame: z is the shading normal, wo.z > 0.
+#pragma once
+
+#include <optional>
+
+#include "materials/bsdf_sample.h"
+#include "materials/ggx_albedo.h"
+
+namespace candil {
+
+struct OpaqueParameters {
+  float roughness = 1;        ///< Perceptual.
+  Vec3 diffuse{0.0f};         ///< Albedo of the base below the coat.
+  Vec3 f0{0.0f}, f90{0.0f};   ///< Reflectance of the specular lobe at normal and grazing incidence.
+  float coat_f0 = 0, coat_f90 = 0;  ///< The same of the dielectric coat alone, largest channel.
+};
+
+class OpaqueLobes {
+ public:
+  OpaqueLobes() = default;
+  OpaqueLobes(const OpaqueParameters& parameters, const GgxAlbedo& table, Vec3 wo);
+
+  BsdfEval eval(Vec3 wo, Vec3 wi) const;
+  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  bool is_purely_delta() const { return (is_delta_ || !has_specular_) && is_black(diffuse_); }
+  Vec3 albedo() const { return albedo_; }
+
+ private:
+  Vec3 diffuse_like(float cosine_i) const;
+
+  const GgxAlbedo* table_ = nullptr;
+  float roughness_ = 1, alpha_ = 1;
+  bool has_specular_ = false, is_delta_ = false;
+  float specular_probability_ = 0;
+  Vec3 f0_{0.0f}, f90_{0.0f};
+  Vec3 diffuse_{0.0f};        // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
+  Vec3 multiple_{0.0f};       // colour x (1 - E(wo)) / (1 - mean E)
+  float coat_f0_ = 0, coat_f90_ = 0, coat_multiple_ = 0;
+  Vec3 albedo_{0.0f};
+};
+
+}  // namespace candil
