@@ -18,11 +18,20 @@ Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePo
   return squared > 0 ? n / glm::sqrt(squared) : point.normal;
 }
 
-/// Turns a normal that wo sees from behind (interpolated or mapped past the silhouette) until wo just is above it.
-Vec3 face_towards(Vec3 normal, Vec3 wo) {
+/// A shading normal that suits `wo` and the flat normal, both on the same side of the surface: wo is above it, and so is the
+/// mirror direction above the flat surface. Where interpolation or a normal map went too far, the mirror direction is lifted to
+/// the horizon and the normal is put half-way between it and wo, so that specular light is bent rather than lost.
+Vec3 valid_normal(Vec3 normal, Vec3 normal_geometric, Vec3 wo) {
   constexpr float least_cosine = 1e-3f;
   const float cosine = glm::dot(normal, wo);
-  return cosine >= least_cosine ? normal : glm::normalize(normal + (least_cosine - cosine) * wo);
+  if (cosine < least_cosine) normal = glm::normalize(normal + (least_cosine - cosine) * wo);
+  const Vec3 mirrored = 2 * glm::dot(normal, wo) * normal - wo;
+  const float height = glm::dot(mirrored, normal_geometric);
+  const float least_height = glm::min(least_cosine, 0.5f * glm::dot(wo, normal_geometric));
+  if (height >= least_height) return normal;
+  const Vec3 half = wo + glm::normalize(mirrored + (least_height - height) * normal_geometric);
+  const float squared = length_squared(half);
+  return squared > 0 ? half / glm::sqrt(squared) : normal_geometric;
 }
 
 float channel(const Scene& scene, const TextureSlot& slot, const SurfacePoint& point, int index) {
@@ -35,8 +44,9 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const Material& material = scene.materials[point.material];
   const bool is_front = glm::dot(wo, point.normal_geometric) >= 0;
   const float side = is_front ? 1.0f : -1.0f;
-  const Vec3 normal = face_towards(side * mapped_normal(scene, material, point), wo);
-  Bsdf bsdf(normal, side * point.normal_geometric);
+  const Vec3 normal_geometric = side * point.normal_geometric;
+  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo);
+  Bsdf bsdf(normal, normal_geometric);
   if (material.is_unlit) {
     bsdf.opaque_ = OpaqueLobes({}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits
     return bsdf;
@@ -64,14 +74,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   if (bsdf.dielectric_weight_ < 1) {
     // What does not transmit: metal and coated diffuse in proportion.
     const float metal = metallic / (1 - bsdf.dielectric_weight_);
-    OpaqueParameters p;
-    p.roughness = roughness;
-    p.diffuse = (1 - metal) * base;
-    p.f0 = glm::mix(f0, base, metal);
-    p.f90 = glm::mix(f90, Vec3(1), metal);
-    p.coat_f0 = max_component(f0);
-    p.coat_f90 = specular;
-    bsdf.opaque_ = OpaqueLobes(p, tables.ggx(), local_o);
+    bsdf.opaque_ = OpaqueLobes({roughness, metal, base, f0, f90}, tables.ggx(), local_o);
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;

@@ -17,8 +17,9 @@ Vec3 multiple_scattering_color(Vec3 f0, Vec3 f90, float mean_albedo) {
 }  // namespace
 
 OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3 wo)
-    : table_(&table), roughness_(p.roughness), alpha_(sqr(p.roughness)), f0_(p.f0), f90_(p.f90), diffuse_(p.diffuse),
-      coat_f0_(p.coat_f0), coat_f90_(p.coat_f90), albedo_(p.diffuse) {
+    : table_(&table), roughness_(p.roughness), alpha_(sqr(p.roughness)), f0_(glm::mix(p.coat_f0, p.base, p.metallic)),
+      f90_(glm::mix(p.coat_f90, Vec3(1), p.metallic)), diffuse_((1 - p.metallic) * p.base),
+      coat_f0_(max_component(p.coat_f0)), coat_f90_(max_component(p.coat_f90)), albedo_(diffuse_) {
   has_specular_ = max_component(glm::max(f0_, f90_)) > 0;
   if (!has_specular_) return;
   is_delta_ = alpha_ < ggx_min_alpha;
@@ -30,7 +31,10 @@ OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3
   const Vec3 specular = f0_ * single.scale + f90_ * single.bias;
   if (!is_delta_) {
     const float lost = glm::max(0.0f, 1 - single.total()), mean_lost = glm::max(1e-6f, 1 - mean.total());
-    multiple_ = multiple_scattering_color(f0_, f90_, mean.total()) * (lost / mean_lost);
+    // Unlike the single-scattering lobe, this one is not linear in f0: metal and coat each have their own colour.
+    const Vec3 coat_color = multiple_scattering_color(p.coat_f0, p.coat_f90, mean.total());
+    const Vec3 metal_color = multiple_scattering_color(p.base, Vec3(1), mean.total());
+    multiple_ = glm::mix(coat_color, metal_color, p.metallic) * (lost / mean_lost);
     coat_multiple_ = multiple_scattering_color(Vec3(coat_f0_), Vec3(coat_f90_), mean.total()).x;
   }
   if (!is_black(diffuse_)) {

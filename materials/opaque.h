@@ -16,10 +16,10 @@
 namespace candil {
 
 struct OpaqueParameters {
-  float roughness = 1;        ///< Perceptual.
-  Vec3 diffuse{0.0f};         ///< Albedo of the base below the coat.
-  Vec3 f0{0.0f}, f90{0.0f};   ///< Reflectance of the specular lobe at normal and grazing incidence.
-  float coat_f0 = 0, coat_f90 = 0;  ///< The same of the dielectric coat alone, largest channel.
+  float roughness = 1;                   ///< Perceptual.
+  float metallic = 0;                    ///< Share of the metal.
+  Vec3 base{0.0f};                       ///< Albedo of the diffuse base, f0 of the metal.
+  Vec3 coat_f0{0.0f}, coat_f90{0.0f};    ///< Reflectance of the dielectric coat at normal and grazing incidence.
 };
 
 class OpaqueLobes {

@@ -1,0 +1,100 @@
+#include "tests/support/closure_bench.h"
+
+#include <cmath>
+
+namespace candil::test {
+namespace {
+
+Scene scene_of(const Material& material) {
+  Scene scene;
+  scene.materials = {material};
+  return scene;
+}
+
+SurfacePoint point_in_plane() {
+  SurfacePoint point;
+  point.normal = point.normal_geometric = Vec3(0, 0, 1);
+  return point;
+}
+
+Material white(float roughness) {
+  Material m;
+  m.metallic = 0;
+  m.roughness = roughness;
+  return m;
+}
+
+Material metal(float roughness) {
+  Material m = white(roughness);
+  m.metallic = 1;
+  return m;
+}
+
+Material glass(float roughness, float ior) {
+  Material m = white(roughness);
+  m.transmission = 1;
+  m.thickness = 1;
+  m.ior = ior;
+  return m;
+}
+
+Material sheet(float roughness) {
+  Material m = white(roughness);
+  m.transmission = 1;
+  return m;
+}
+
+Material with(Material m, void (*change)(Material&)) {
+  change(m);
+  return m;
+}
+
+std::vector<NamedMaterial> materials_of_roughness(float r) {
+  return {
+      {"diffuse", with(white(r), [](Material& m) { m.specular = 0; }), true},
+      {"plastic", white(r), true},
+      {"grey_plastic", with(white(r), [](Material& m) { m.base_color = Vec4(0.2f, 0.5f, 0.7f, 1); })},
+      {"coloured_specular", with(white(r), [](Material& m) {
+         m.specular = 0.7f;
+         m.specular_color = Vec3(1, 0.4f, 0.1f);
+       })},
+      {"high_ior_plastic", with(white(r), [](Material& m) { m.ior = 2.4f; }), true},
+      {"white_metal", metal(r), true},
+      {"gold", with(metal(r), [](Material& m) { m.base_color = Vec4(1.0f, 0.77f, 0.34f, 1); })},
+      {"half_metal", with(white(r), [](Material& m) { m.metallic = 0.5f; }), true},
+      {"glass", glass(r, 1.5f), true},
+      {"diamond", glass(r, 2.42f), true},
+      {"tinted_glass", with(glass(r, 1.33f), [](Material& m) { m.base_color = Vec4(0.3f, 0.9f, 0.5f, 1); })},
+      {"weak_specular_glass", with(glass(r, 1.5f), [](Material& m) { m.specular = 0.3f; })},
+      {"sheet", sheet(r), true},
+      {"tinted_sheet", with(sheet(r), [](Material& m) { m.base_color = Vec4(0.9f, 0.2f, 0.2f, 1); })},
+      {"half_transmissive_sheet", with(sheet(r), [](Material& m) { m.transmission = 0.5f; }), true},
+      {"half_transmissive_glass", with(glass(r, 1.5f), [](Material& m) { m.transmission = 0.4f; }), true},
+      {"mirror_of_infinite_ior", glass(r, 0), true},
+  };
+}
+
+}  // namespace
+
+std::vector<NamedMaterial> rough_materials() {
+  std::vector<NamedMaterial> all;
+  for (const float roughness : {0.25f, 0.5f, 1.0f}) {
+    for (NamedMaterial m : materials_of_roughness(roughness)) {
+      m.name += "_" + std::to_string(static_cast<int>(roughness * 100));
+      all.push_back(m);
+    }
+  }
+  return all;
+}
+
+std::vector<NamedMaterial> smooth_materials() { return materials_of_roughness(0); }
+
+ClosureBench::ClosureBench(const Material& material)
+    : scene_(scene_of(material)), tables_(scene_), point_(point_in_plane()) {}
+
+Vec3 direction_at(float degrees) {
+  const float theta = glm::radians(degrees), phi = 0.7f;
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+}  // namespace candil::test

@@ -1,0 +1,38 @@
+/// Closures of materials without a scene around them, for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "materials/bsdf.h"
+
+namespace candil::test {
+
+struct NamedMaterial {
+  std::string name;
+  Material material;
+  bool is_lossless = false;  ///< Everything that comes in goes out again.
+};
+
+/// One of every kind of closure, delta lobes left out: opaque, metallic, refracting, thin, and mixtures.
+std::vector<NamedMaterial> rough_materials();
+/// The same kinds with perfectly smooth surfaces.
+std::vector<NamedMaterial> smooth_materials();
+
+/// Makes closures of one material at a point in the plane z = 0, whose front is +z.
+class ClosureBench {
+ public:
+  explicit ClosureBench(const Material& material);
+  Bsdf bsdf(Vec3 wo) const { return make_bsdf(scene_, tables_, point_, wo); }
+  const Material& material() const { return scene_.materials[0]; }
+
+ private:
+  Scene scene_;
+  BsdfTables tables_;
+  SurfacePoint point_;
+};
+
+/// Unit vector with that angle from +z, in degrees, turned a little about it.
+Vec3 direction_at(float degrees);
+
+}  // namespace candil::test
