@@ -1,7 +1,6 @@
 /// Vector types and constants used everywhere. Right-handed, +Y up, metres and radians.
 #pragma once
 
-#define GLM_FORCE_XYZW_ONLY
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>

@@ -47,7 +47,7 @@ bool has_light(const Scene& scene) {
   bool found = false;
   for (const Instance& instance : scene.instances) {
     for_each_mesh_of(scene, instance, [&](const Mesh& mesh) {
-      found = found || !is_black(scene.materials[mesh.material].emission);
+      found = found || max_component(scene.materials[mesh.material].emission) > 1;
     });
   }
   return found;

@@ -157,7 +157,9 @@ struct Bounds {
 /// Box around every instance in world space; exact over vertices, empty for a scene without geometry.
 Bounds scene_bounds(const Scene& scene);
 
-/// True when any emissive mesh is instanced, or there is a punctual light or an environment. Unlit surfaces do not count.
+/// True when the scene brings light of its own: a punctual light, an environment, or a surface that emits more than 1 nit. Core
+/// glTF stops at 1, the white of the screen: such surfaces glow for the viewer but are not meant to light anything,
+/// and neither are unlit ones.
 bool has_light(const Scene& scene);
 
 /// Triangles counted once per instance.

@@ -14,10 +14,10 @@ struct SoftBox {
 };
 
 constexpr std::array<SoftBox, 4> soft_boxes = {{
-    {-30, 42, 0.55f, 0.45f, 9.0f},   // key: above left of the automatic camera
-    {95, 18, 0.40f, 0.80f, 2.6f},    // fill: tall, to the right
-    {200, 35, 0.90f, 0.25f, 5.0f},   // rim: a wide strip behind
-    {0, 90, 0.60f, 0.60f, 2.5f},     // ceiling
+    {-30, 42, 0.55f, 0.45f, 3.6f},   // key: above left of the automatic camera
+    {95, 18, 0.40f, 0.80f, 1.4f},    // fill: tall, to the right
+    {200, 35, 0.90f, 0.25f, 3.0f},   // rim: a wide strip behind
+    {0, 90, 0.60f, 0.60f, 1.2f},     // ceiling
 }};
 
 float smooth_edge(float distance, float half_extent, float softness) {
@@ -41,7 +41,7 @@ Environment make_studio_environment() {
   constexpr int width = 512, height = 256;
   Environment environment;
   environment.tint = Vec3(1);
-  environment.backdrop = Vec3(0.62f, 0.63f, 0.65f);
+  environment.backdrop = Vec3(0.50f, 0.51f, 0.53f);
   environment.image = Image(width, height, 3);
   for (int y = 0; y < height; ++y) {
     const float theta = pi * (static_cast<float>(y) + 0.5f) / height;
@@ -49,7 +49,7 @@ Environment make_studio_environment() {
       const float phi = 2 * pi * ((static_cast<float>(x) + 0.5f) / width - 0.5f);
       const Vec3 direction(std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi));
       // The room: a grey floor that brightens towards the ceiling.
-      float radiance = 0.28f + 0.30f * glm::smoothstep(-0.3f, 0.9f, direction.y);
+      float radiance = 0.20f + 0.20f * glm::smoothstep(-0.3f, 0.9f, direction.y);
       for (const SoftBox& box : soft_boxes) radiance += box_radiance(box, direction);
       float* pixel = environment.image.pixel(x, y);
       pixel[0] = pixel[1] = pixel[2] = radiance;

@@ -41,9 +41,12 @@ std::vector<std::string> tonemap_names() { return {names.begin(), names.end()}; 
 Vec3 apply_tonemap(Tonemap operator_kind, Vec3 color) {
   switch (operator_kind) {
     // Defined for light, which is neither negative nor infinite.
-    case Tonemap::neutral: return neutral(glm::clamp(color, Vec3(0.0f), Vec3(std::numeric_limits<float>::max())));
-    case Tonemap::clamp: return glm::clamp(color, Vec3(0.0f), Vec3(1.0f));
-    case Tonemap::none: return color;
+    case Tonemap::neutral:
+      return neutral(glm::clamp(color, Vec3(0.0f), Vec3(std::numeric_limits<float>::max())));
+    case Tonemap::clamp:
+      return glm::clamp(color, Vec3(0.0f), Vec3(1.0f));
+    case Tonemap::none:
+      return color;
   }
   return color;
 }
