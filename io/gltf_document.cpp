@@ -1,0 +1,229 @@
+#include "io/gltf_document.h"
+
+#include <algorithm>
+#include <fstream>  // tiny_gltf.h needs it even without a file system
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "io/error.h"
+#include "io/gltf_container.h"
+#include "io/gltf_extensions.h"
+#include "io/gltf_schema.h"
+
+#define TINYGLTF_IMPLEMENTATION
+#include "io/gltf_tinygltf.h"
+
+namespace candil {
+
+namespace {
+
+using nlohmann::json;
+
+/// Parsers recurse; a file of nothing but brackets must not overflow their stack.
+void check_nesting(std::string_view text, const std::string& name) {
+  constexpr int deepest = 128;
+  int depth = 0;
+  bool is_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_string) {
+      if (c == '\\') ++i;
+      is_string = c != '"';
+    } else if (c == '"') {
+      is_string = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) throw InputError(name, "JSON", "is nested deeper than 128 levels");
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+}
+
+json parse_json(std::string_view text, const std::string& name) {
+  if (text.empty()) throw InputError(name, "", "the file is empty");
+  check_nesting(text, name);
+  json root;
+  try {
+    root = json::parse(text);
+  } catch (const json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 7: ..." without its first part, on one line.
+    std::string message = error.what();
+    const std::size_t bracket = message.find("] ");
+    if (bracket != std::string::npos) message.erase(0, bracket + 2);
+    std::replace_if(
+        message.begin(), message.end(), [](unsigned char c) { return c < 0x20; }, '?');
+    throw InputError(name, "JSON", message.substr(0, 200));
+  }
+  if (!root.is_object()) throw InputError(name, "JSON", "the root must be an object");
+  return root;
+}
+
+/// {2, 0} of "2.0".
+std::optional<std::pair<int, int>> parse_version(const json& asset, const char* property, const std::string& name) {
+  if (!asset.contains(property)) return {};
+  const std::string place = std::string("asset.") + property;
+  if (!asset.at(property).is_string()) throw InputError(name, place, "must be a string");
+  const std::string text = asset.at(property).get<std::string>();
+  const std::size_t dot = text.find('.');
+  const auto is_number = [](std::string_view digits) {
+    return !digits.empty() && digits.size() < 4 && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  if (dot == std::string::npos || !is_number(text.substr(0, dot)) || !is_number(text.substr(dot + 1))) {
+    throw InputError(name, place, quoted_text(text) + " is not a version such as 2.0");
+  }
+  return std::pair(std::stoi(text.substr(0, dot)), std::stoi(text.substr(dot + 1)));
+}
+
+/// Specification, section 3.2: a client renders 2.x if minVersion allows it.
+void check_version(const json& root, const std::string& name) {
+  if (!root.contains("asset") || !root.at("asset").is_object()) {
+    throw InputError(name, "asset", "is missing: this is not a glTF 2.0 file");
+  }
+  const auto version = parse_version(root.at("asset"), "version", name);
+  if (!version) throw InputError(name, "asset.version", "is missing");
+  const auto text = [](std::pair<int, int> v) { return std::to_string(v.first) + "." + std::to_string(v.second); };
+  if (version->first != 2) throw InputError(name, "asset.version", text(*version) + " is not supported, only 2.x is");
+  const auto least = parse_version(root.at("asset"), "minVersion", name);
+  if (least && *least > std::pair(2, 0)) {
+    throw InputError(name, "asset.minVersion", text(*least) + " is not supported, 2.0 is");
+  }
+}
+
+std::vector<std::string> read_extension_list(const json& root, const char* property, const std::string& name) {
+  std::vector<std::string> names;
+  if (!root.contains(property)) return names;
+  const json& list = root.at(property);
+  if (!list.is_array()) throw InputError(name, property, "must be an array");
+  for (const json& element : list) {
+    if (!element.is_string()) throw InputError(name, property, "must hold strings");
+    names.push_back(element.get<std::string>());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+const json& array_of(const json& root, const char* property) {
+  static const json none = json::array();
+  const auto found = root.find(property);
+  return found == root.end() ? none : *found;
+}
+
+/// The bytes that buffers[index] declares. `loaded` keeps those that are not part of the file.
+std::span<const std::byte> load_buffer(const json& buffer, std::size_t index, const GltfContainer& container,
+                                       const std::filesystem::path& folder, const std::string& name,
+                                       std::vector<Bytes>& loaded) {
+  const std::string place = "buffers[" + std::to_string(index) + "]";
+  std::span<const std::byte> bytes;
+  if (buffer.contains("uri")) {
+    bytes = loaded.emplace_back(
+        read_reference(folder, buffer.at("uri").get_ref<const std::string&>(), name, place + ".uri"));
+  } else if (index == 0 && container.binary) {
+    bytes = *container.binary;
+  } else {
+    throw InputError(name, place, "has no uri and the file no binary chunk for it");
+  }
+  const auto length = buffer.at("byteLength").get<std::size_t>();
+  if (length > bytes.size()) {
+    throw InputError(name, place + ".byteLength",
+                     "declares " + std::to_string(length) + " bytes, there are " + std::to_string(bytes.size()));
+  }
+  return bytes.first(length);
+}
+
+std::span<const std::byte> slice_buffer(const json& view, std::size_t index,
+                                        const std::vector<std::span<const std::byte>>& buffers,
+                                        const std::string& name) {
+  const auto buffer = view.at("buffer").get<std::size_t>();
+  const auto offset = view.value("byteOffset", std::size_t{0}), length = view.at("byteLength").get<std::size_t>();
+  const std::size_t available = buffers[buffer].size();
+  // Neither exceeds 2^48, hence no overflow.
+  if (offset + length > available) {
+    throw InputError(
+        name, "bufferViews[" + std::to_string(index) + "]",
+        "reads " + std::to_string(offset + length - available) + " bytes beyond buffer " + std::to_string(buffer));
+  }
+  return buffers[buffer].subspan(offset, length);
+}
+
+GltfImageSource read_image_source(const json& image, std::size_t index, const std::string& name) {
+  GltfImageSource source;
+  source.name = image.value("name", std::string());
+  source.uri = image.value("uri", std::string());
+  source.buffer_view = image.value("bufferView", -1);
+  if (image.contains("uri") == image.contains("bufferView")) {
+    throw InputError(name, "images[" + std::to_string(index) + "]", "must have either a uri or a bufferView");
+  }
+  return source;
+}
+
+/// What the loader reads through tinygltf: without the parts that hold bytes, and without those candil has no use for.
+std::string reduced_json(json& root) {
+  for (const char* part : {"buffers", "images", "skins", "animations"}) root.erase(part);
+  if (root.contains("extensions")) {
+    json kept = json::object();
+    json& extensions = root.at("extensions");
+    if (extensions.contains("KHR_lights_punctual")) kept["KHR_lights_punctual"] = extensions["KHR_lights_punctual"];
+    extensions = kept;
+  }
+  return root.dump();
+}
+
+std::unique_ptr<tinygltf::Model> parse_model(const std::string& text, const std::string& name) {
+  auto model = std::make_unique<tinygltf::Model>();
+  std::string error, warning;
+  bool is_parsed = false;
+  try {
+    is_parsed = tinygltf::TinyGLTF().LoadASCIIFromString(
+        model.get(), &error, &warning, text.c_str(), static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  if (!is_parsed) {
+    while (!error.empty() && error.back() == '\n') error.pop_back();
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    throw InputError(name, "glTF", error.empty() ? "cannot be parsed" : error);
+  }
+  return model;
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument(const std::filesystem::path& path)
+    : name_(path.string()), folder_(path.parent_path()), file_(read_file(path, name_, "")) {
+  const GltfContainer container = split_gltf(file_, name_);
+  json root = parse_json(container.json, name_);
+  check_version(root, name_);
+  extensions_used_ = read_extension_list(root, "extensionsUsed", name_);
+  refuse_unknown_gltf_extensions(read_extension_list(root, "extensionsRequired", name_), name_);
+  // Files without scenes that name one anyway are about; they lose nothing.
+  if (!root.contains("scenes")) root.erase("scene");
+  check_gltf_schema(root, name_);
+
+  total_bytes_ = file_.size();
+  std::vector<std::span<const std::byte>> buffers;
+  const json& buffer_list = array_of(root, "buffers");
+  loaded_buffers_.reserve(buffer_list.size());  // spans into it must stay valid
+  for (const json& buffer : buffer_list) {
+    buffers.push_back(load_buffer(buffer, buffers.size(), container, folder_, name_, loaded_buffers_));
+    total_bytes_ += buffers.back().size();
+  }
+  for (const json& view : array_of(root, "bufferViews")) {
+    views_.push_back(slice_buffer(view, views_.size(), buffers, name_));
+  }
+  for (const json& image : array_of(root, "images")) {
+    images_.push_back(read_image_source(image, images_.size(), name_));
+  }
+  has_animations_ = !array_of(root, "animations").empty();
+  has_skins_ = !array_of(root, "skins").empty();
+  model_ = parse_model(reduced_json(root), name_);
+}
+
+GltfDocument::~GltfDocument() = default;
+
+void GltfDocument::fail(const std::string& place, const std::string& message) const {
+  throw InputError(name_, place, message);
+}
+
+}  // namespace candil

@@ -1,0 +1,63 @@
+/// A glTF file, parsed and structurally sound, with the bytes that it refers to. What the numbers in it mean is the
+/// business of the gltf_*.cpp readers.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/resource.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace candil {
+
+/// Where the encoded bytes of images[i] are: in a buffer view, or behind a URI (empty when there is a view).
+struct GltfImageSource {
+  std::string name, uri;
+  int buffer_view = -1;
+};
+
+class GltfDocument {
+ public:
+  /// Reads the file and all its buffers, each once. Throws InputError for anything that is not a structurally sound
+  /// glTF 2.x asset (see check_gltf_schema()), and for required extensions that candil does not have.
+  explicit GltfDocument(const std::filesystem::path& path);
+  ~GltfDocument();
+
+  /// Properties that are indices are known to be valid, except texture.source inside of extensions that candil does not
+  /// know. Holds no buffers, images, skins or animations.
+  const tinygltf::Model& model() const { return *model_; }
+  /// How messages call the file.
+  const std::string& name() const { return name_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<GltfImageSource>& images() const { return images_; }
+  /// The bytes of bufferViews[index]; checked to lie in their buffer.
+  std::span<const std::byte> buffer_view(std::size_t index) const { return views_[index]; }
+  /// All bytes that came with the scene, the measure of how much geometry it may expand to.
+  std::size_t total_bytes() const { return total_bytes_; }
+  bool has_animations() const { return has_animations_; }
+  bool has_skins() const { return has_skins_; }
+  const std::vector<std::string>& extensions_used() const { return extensions_used_; }
+
+  [[noreturn]] void fail(const std::string& place, const std::string& message) const;
+
+ private:
+  std::string name_;
+  std::filesystem::path folder_;
+  Bytes file_;
+  std::vector<Bytes> loaded_buffers_;  // the ones outside of `file_`
+  std::vector<std::span<const std::byte>> views_;
+  std::vector<GltfImageSource> images_;
+  std::vector<std::string> extensions_used_;
+  bool has_animations_ = false, has_skins_ = false;
+  std::size_t total_bytes_ = 0;
+  std::unique_ptr<tinygltf::Model> model_;
+};
+
+}  // namespace candil

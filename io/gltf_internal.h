@@ -1,0 +1,139 @@
+/// What the parts of the glTF loader share. gltf_load.cpp calls them in order; no other code includes this.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene.h"
+#include "io/gltf_document.h"
+#include "io/load_scene.h"
+
+namespace tinygltf {
+class Value;
+struct TextureInfo;
+}  // namespace tinygltf
+
+namespace candil {
+
+/// Collects each warning once. A hostile file cannot make more than a hundred of them.
+class Warnings {
+ public:
+  void add(const std::string& message);
+  void add(const std::string& place, const std::string& message) { add(place + ": " + message); }
+  std::vector<std::string> take();
+
+ private:
+  std::set<std::string> seen_;
+  std::vector<std::string> messages_;
+  std::size_t dropped_ = 0;
+};
+
+/// `value` as a float, clamped to [low, high] with a warning when it lies outside.
+float in_range(double value, double low, double high, const std::string& place, Warnings& warnings);
+
+/// "materials[3]".
+std::string indexed(const char* array, std::size_t index);
+
+/// The textures that materials use, and their images. Ids of Scene::textures and Scene::images are given on first use,
+/// so that nothing else is decoded.
+class TextureTable {
+ public:
+  TextureTable(const GltfDocument& document, Scene& scene, Warnings& warnings)
+      : document_(document), scene_(scene), warnings_(warnings) {}
+
+  /// The id of textures[index] in Scene::textures, invalid_id (and a warning) if it has no image that candil could
+  /// read.
+  std::uint32_t texture(int index);
+
+  /// Reads and decodes all images in parallel into Scene::images. Throws InputError for the first bad one.
+  void decode_images();
+
+ private:
+  /// The image of a texture; EXT_texture_webp may bring a fallback for readers that have no WebP.
+  struct ImageChoice {
+    std::size_t first;
+    std::optional<std::size_t> fallback;
+    auto operator<=>(const ImageChoice&) const = default;
+  };
+  std::uint32_t image(ImageChoice choice);
+  /// The first image with the same source: exporters list a file once per texture.
+  std::size_t first_alike(std::size_t image);
+  TextureImage decode(std::size_t index) const;
+
+  const GltfDocument& document_;
+  Scene& scene_;
+  Warnings& warnings_;
+  std::map<int, std::uint32_t> texture_ids_;
+  std::map<std::pair<std::string_view, int>, std::size_t> first_images_;
+  std::map<ImageChoice, std::uint32_t> image_ids_;
+  std::vector<ImageChoice> image_choices_;
+};
+
+/// A textureInfo wherever it stands: in the core specification or in an extension.
+struct TextureUse {
+  int texture = -1, uv_set = 0;
+  const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform.
+};
+
+/// The slot for a textureInfo at `place`; unused when there is none or it cannot be read (with a warning).
+TextureSlot make_texture_slot(const TextureUse& use, const std::string& place, TextureTable& textures,
+                              Warnings& warnings);
+
+/// Materials on demand; ids of Scene::materials are given on first use.
+class MaterialTable {
+ public:
+  MaterialTable(const GltfDocument& document, Scene& scene, TextureTable& textures, Warnings& warnings)
+      : document_(document), scene_(scene), textures_(textures), warnings_(warnings) {}
+
+  /// The id of materials[index] in Scene::materials; -1 is the specification's default material.
+  std::uint32_t material(int index);
+
+ private:
+  const GltfDocument& document_;
+  Scene& scene_;
+  TextureTable& textures_;
+  Warnings& warnings_;
+  std::map<int, std::uint32_t> ids_;
+};
+
+/// meshes[i] as one object: its triangle primitives are appended to Scene::meshes.
+class MeshReader {
+ public:
+  MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings);
+
+  /// Throws InputError for anything in it that cannot be read.
+  Object read(std::size_t index);
+
+ private:
+  const GltfDocument& document_;
+  Scene& scene_;
+  MaterialTable& materials_;
+  Warnings& warnings_;
+  std::size_t bytes_left_;  // of geometry, before a file is taken for hostile
+};
+
+/// A node of the scene that is shown.
+struct PlacedNode {
+  std::size_t node = 0;
+  Affine to_world;
+};
+
+/// All visible nodes of the default scene (else of the first, else of all), parents first. Throws InputError for
+/// cycles, nodes with two parents and transforms that overflow.
+std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warnings);
+
+/// Adds to the scene what each node carries.
+void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
+                   MaterialTable& materials, Warnings& warnings);
+void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
+void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
+
+/// The whole loader for .gltf and .glb.
+LoadedScene load_gltf(const std::filesystem::path& path);
+
+}  // namespace candil

@@ -1,0 +1,43 @@
+#include "io/gltf_accessor.h"
+#include "io/gltf_extensions.h"
+#include "io/gltf_internal.h"
+
+namespace candil {
+
+namespace {
+
+/// One line for everything in the file that the picture will lack.
+void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warnings& warnings) {
+  loaded.extensions_used = document.extensions_used();
+  for (const std::string& extension : document.extensions_used()) {
+    if (is_supported_gltf_extension(extension)) continue;
+    loaded.extensions_unsupported.push_back(extension);
+    warnings.add("extension " + printable(extension) + " is not supported and ignored");
+  }
+  if (document.has_animations()) warnings.add("animations are not supported and ignored");
+  if (document.has_skins()) warnings.add("skins are not supported; meshes are shown in their rest pose");
+}
+
+}  // namespace
+
+LoadedScene load_gltf(const std::filesystem::path& path) {
+  const GltfDocument document(path);
+  LoadedScene loaded;
+  Warnings warnings;
+  report_unsupported(document, loaded, warnings);
+
+  TextureTable textures(document, loaded.scene, warnings);
+  MaterialTable materials(document, loaded.scene, textures, warnings);
+  const std::vector<PlacedNode> nodes = place_nodes(document, warnings);
+  add_instances(document, nodes, loaded.scene, materials, warnings);
+  add_cameras(document, nodes, loaded.scene, warnings);
+  add_lights(document, nodes, loaded.scene, warnings);
+  check_accessors(document);
+  textures.decode_images();
+
+  bake_single_instances(loaded.scene);
+  loaded.warnings = warnings.take();
+  return loaded;
+}
+
+}  // namespace candil

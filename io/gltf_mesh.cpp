@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "io/gltf_accessor.h"
+#include "io/gltf_geometry.h"
+#include "io/gltf_internal.h"
+#include "io/gltf_tinygltf.h"
+#include "io/tangents.h"
+
+namespace candil {
+
+namespace {
+
+constexpr std::size_t bytes_per_vertex = 60, bytes_per_triangle = 120;
+
+/// Reads one primitive; the vertices it does not use are left out.
+class PrimitiveReader {
+ public:
+  PrimitiveReader(const GltfDocument& document, const tinygltf::Primitive& primitive, std::string place,
+                  Warnings& warnings)
+      : document_(document), primitive_(primitive), place_(std::move(place)), warnings_(warnings) {}
+
+  /// Triangles, vertices and all attributes but tangents; nothing (and a warning) if there is nothing to show.
+  /// `bytes_left` is what the file may still expand to.
+  std::optional<Mesh> read(std::size_t& bytes_left) {
+    const std::optional<TriangleMode> mode = triangle_mode();
+    const int positions = attribute("POSITION");
+    if (!mode || positions < 0) {
+      if (mode) warnings_.add(place_, "has no POSITION, it is not shown");
+      return {};
+    }
+    selection_.accessor_count = accessor_count(document_, positions);
+    if (selection_.accessor_count >= invalid_id) document_.fail(place_, "has too many vertices");
+    Mesh mesh;
+    mesh.triangles = assemble_triangles(*mode, bytes_left);
+    if (mesh.triangles.empty()) {
+      warnings_.add(place_, "has no triangles");
+      return {};
+    }
+    selection_ = select_vertices(mesh.triangles, selection_.accessor_count);
+    charge(selection_.size() * bytes_per_vertex, bytes_left);
+    read_positions(positions, mesh);
+    read_normals(mesh);
+    read_uvs(mesh);
+    read_colors(mesh);
+    return mesh;
+  }
+
+  /// The tangents of the file, if it has usable ones; the specification wants them ignored where normals are absent.
+  void read_tangents(Mesh& mesh) const {
+    const int index = attribute("TANGENT");
+    if (index < 0 || mesh.normals.empty()) return;
+    mesh.tangents = read_vec4(document_, index, selection_, attribute_place("TANGENT"));
+    if (repair_tangents(mesh)) warnings_.add(attribute_place("TANGENT"), "has invalid tangents, any other are used");
+  }
+
+ private:
+  int attribute(const std::string& semantic) const {
+    const auto found = primitive_.attributes.find(semantic);
+    return found == primitive_.attributes.end() ? -1 : found->second;
+  }
+
+  std::string attribute_place(const std::string& semantic) const { return place_ + ".attributes." + semantic; }
+
+  void charge(std::size_t bytes, std::size_t& bytes_left) const {
+    if (bytes > bytes_left) document_.fail(place_, "expands to far more geometry than the file has bytes for");
+    bytes_left -= bytes;
+  }
+
+  std::optional<TriangleMode> triangle_mode() const {
+    switch (primitive_.mode) {
+      case -1:
+      case TINYGLTF_MODE_TRIANGLES:
+        return TriangleMode::list;
+      case TINYGLTF_MODE_TRIANGLE_STRIP:
+        return TriangleMode::strip;
+      case TINYGLTF_MODE_TRIANGLE_FAN:
+        return TriangleMode::fan;
+      case TINYGLTF_MODE_POINTS:
+        warnings_.add("primitives of points are not supported and not shown");
+        return {};
+      case TINYGLTF_MODE_LINE:
+      case TINYGLTF_MODE_LINE_LOOP:
+      case TINYGLTF_MODE_LINE_STRIP:
+        warnings_.add("primitives of lines are not supported and not shown");
+        return {};
+      default:
+        document_.fail(place_ + ".mode", std::to_string(primitive_.mode) + " is not a mode of glTF");
+    }
+  }
+
+  std::vector<Triangle> assemble_triangles(TriangleMode mode, std::size_t& bytes_left) {
+    const bool is_indexed = primitive_.indices >= 0;
+    const std::size_t corner_count =
+        is_indexed ? accessor_count(document_, primitive_.indices) : selection_.accessor_count;
+    const std::size_t triangles = triangle_count(mode, corner_count);
+    if (triangles >= invalid_id) document_.fail(place_, "has too many triangles");
+    charge(triangles * bytes_per_triangle, bytes_left);
+    if (mode == TriangleMode::list && corner_count % 3 != 0) {
+      warnings_.add(place_, "its number of corners is no multiple of 3, the last ones are ignored");
+    }
+    if (!is_indexed) return make_triangles(mode, corner_count);
+    return make_triangles(mode,
+                          read_indices(document_, primitive_.indices, selection_.accessor_count, place_ + ".indices"));
+  }
+
+  void read_positions(int index, Mesh& mesh) const {
+    const std::string place = attribute_place("POSITION");
+    mesh.positions = read_vec3(document_, index, selection_, place);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      // Beyond 1e9 m, squared areas overflow single precision.
+      const Vec3 p = glm::abs(mesh.positions[i]);
+      if (p.x <= 1e9f && p.y <= 1e9f && p.z <= 1e9f) continue;
+      document_.fail(place, "accessor " + std::to_string(index) + " element " + std::to_string(selection_.element(i)) +
+                                (is_finite(p) ? " is farther than 1e9 m from the origin" : " is not finite"));
+    }
+  }
+
+  void read_normals(Mesh& mesh) const {
+    const int index = attribute("NORMAL");
+    if (index < 0) return;
+    mesh.normals = read_vec3(document_, index, selection_, attribute_place("NORMAL"));
+    if (repair_normals(mesh)) {
+      warnings_.add(attribute_place("NORMAL"), "has normals without a direction, those of the triangles are used");
+    }
+  }
+
+  void read_uvs(Mesh& mesh) const {
+    for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+      const std::string semantic = "TEXCOORD_" + std::to_string(set);
+      const int index = attribute(semantic);
+      if (index < 0) continue;
+      mesh.uvs[set] = read_vec2(document_, index, selection_, attribute_place(semantic));
+      bool is_repaired = false;
+      for (Vec2& uv : mesh.uvs[set]) {
+        if (std::abs(uv.x) + std::abs(uv.y) < infinity) continue;
+        uv = Vec2(0);
+        is_repaired = true;
+      }
+      if (is_repaired) warnings_.add(attribute_place(semantic), "has values that are not finite, 0 is used");
+    }
+  }
+
+  void read_colors(Mesh& mesh) const {
+    const int index = attribute("COLOR_0");
+    if (index < 0) return;
+    mesh.colors = read_color(document_, index, selection_, attribute_place("COLOR_0"));
+    bool is_clamped = false;
+    for (Vec4& color : mesh.colors) {
+      for (int c = 0; c < 4; ++c) {
+        if (color[c] >= 0 && color[c] <= 1) continue;
+        color[c] = color[c] > 1 ? 1.0f : 0.0f;
+        is_clamped = true;
+      }
+    }
+    if (is_clamped) warnings_.add(attribute_place("COLOR_0"), "has values outside of [0, 1], they are clamped");
+  }
+
+  const GltfDocument& document_;
+  const tinygltf::Primitive& primitive_;
+  const std::string place_;
+  Warnings& warnings_;
+  VertexSelection selection_;
+};
+
+/// Warns where the material looks up uvs that the mesh does not have; they read as (0, 0).
+void check_uv_sets(const Mesh& mesh, const Material& material, const std::string& place, Warnings& warnings) {
+  for (const TextureSlot* slot :
+       {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+        &material.occlusion_texture, &material.emission_texture, &material.specular_texture,
+        &material.specular_color_texture, &material.transmission_texture}) {
+    if (!slot->is_used() || !mesh.uvs[slot->uv_set].empty()) continue;
+    warnings.add(place, "has no TEXCOORD_" + std::to_string(slot->uv_set) + " for the textures of its material");
+  }
+}
+
+}  // namespace
+
+MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings)
+    : document_(document), scene_(scene), materials_(materials), warnings_(warnings) {
+  constexpr std::size_t least = std::size_t{2} << 30, factor = 64;
+  bytes_left_ = std::max(least, factor * document.total_bytes());
+}
+
+Object MeshReader::read(std::size_t index) {
+  const tinygltf::Mesh& source = document_.model().meshes[index];
+  const std::string mesh_place = indexed("meshes", index);
+  Object object{source.name.empty() ? mesh_place : source.name, static_cast<std::uint32_t>(scene_.meshes.size()), 0};
+  for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+    const tinygltf::Primitive& primitive = source.primitives[p];
+    const std::string place = mesh_place + "." + indexed("primitives", p);
+    if (!primitive.targets.empty()) warnings_.add("morph targets are not supported; the base shapes are shown");
+    PrimitiveReader reader(document_, primitive, place, warnings_);
+    std::optional<Mesh> mesh = reader.read(bytes_left_);
+    if (!mesh) continue;
+    mesh->name = object.name;
+    mesh->material = materials_.material(primitive.material);
+    const Material& material = scene_.materials[mesh->material];
+    check_uv_sets(*mesh, material, place, warnings_);
+    // Nothing but normal maps needs tangents; they would cost 16 bytes a vertex.
+    if (const TextureSlot& slot = material.normal_texture; slot.is_used()) {
+      reader.read_tangents(*mesh);
+      if (mesh->tangents.empty() && !mesh->uvs[slot.uv_set].empty()) {
+        generate_tangents(*mesh, static_cast<int>(slot.uv_set));
+      }
+    }
+    scene_.meshes.push_back(std::move(*mesh));
+    ++object.mesh_count;
+  }
+  return object;
+}
+
+}  // namespace candil

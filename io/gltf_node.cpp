@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "io/gltf_internal.h"
+#include "io/gltf_tinygltf.h"
+
+namespace candil {
+
+namespace {
+
+Vec3 to_vec3(const std::vector<double>& values, Vec3 fallback) {
+  return values.size() == 3 ? Vec3(values[0], values[1], values[2]) : fallback;
+}
+
+Affine matrix_transform(const std::vector<double>& m, const std::string& place, Warnings& warnings) {
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+    warnings.add(place + ".matrix", "has a last row other than 0 0 0 1, which is ignored");
+  }
+  return {Mat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3(m[12], m[13], m[14])};
+}
+
+/// Specification, section 3.5.3: translation * rotation * scale, or a matrix.
+Affine local_transform(const tinygltf::Node& node, const std::string& place, Warnings& warnings) {
+  if (node.matrix.size() == 16) return matrix_transform(node.matrix, place, warnings);
+  glm::dquat rotation(1, 0, 0, 0);
+  if (node.rotation.size() == 4) {
+    rotation = glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+    const double length = glm::length(rotation);
+    if (!(std::abs(length - 1) < 1e-2)) warnings.add(place + ".rotation", "is not of unit length, it is normalised");
+    rotation = length > 0 ? rotation / length : glm::dquat(1, 0, 0, 0);
+  }
+  const Vec3 scale = to_vec3(node.scale, Vec3(1));
+  Affine transform{Mat3(glm::mat3_cast(rotation)), to_vec3(node.translation, Vec3(0))};
+  for (int axis = 0; axis < 3; ++axis) transform.linear[axis] *= scale[axis];
+  return transform;
+}
+
+bool is_visible(const tinygltf::Node& node) {
+  const auto visibility = node.extensions.find("KHR_node_visibility");
+  if (visibility == node.extensions.end() || !visibility->second.Has("visible")) return true;
+  return visibility->second.Get("visible").Get<bool>();
+}
+
+/// The parent of every node, -1 for roots. Throws for nodes with two parents and for cycles: the nodes of a cycle
+/// all have a parent, hence no walk down from the roots meets them.
+std::vector<int> find_parents(const GltfDocument& document) {
+  const std::vector<tinygltf::Node>& nodes = document.model().nodes;
+  std::vector<int> parents(nodes.size(), -1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t c = 0; c < nodes[n].children.size(); ++c) {
+      int& parent = parents[static_cast<std::size_t>(nodes[n].children[c])];
+      if (parent >= 0) {
+        document.fail(
+            indexed("nodes", n) + "." + indexed("children", c),
+            "node " + std::to_string(nodes[n].children[c]) + " already is a child of node " + std::to_string(parent));
+      }
+      parent = static_cast<int>(n);
+    }
+  }
+  std::vector<bool> is_reached(nodes.size());
+  std::vector<int> pending;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (parents[n] < 0) pending.push_back(static_cast<int>(n));
+  }
+  while (!pending.empty()) {
+    const auto n = static_cast<std::size_t>(pending.back());
+    pending.pop_back();
+    is_reached[n] = true;
+    pending.insert(pending.end(), nodes[n].children.begin(), nodes[n].children.end());
+  }
+  const auto lost = std::find(is_reached.begin(), is_reached.end(), false);
+  if (lost != is_reached.end()) {
+    document.fail(indexed("nodes", static_cast<std::size_t>(lost - is_reached.begin())),
+                  "is its own ancestor: the node hierarchy has a cycle");
+  }
+  return parents;
+}
+
+/// Roots of the scene that is shown, in order.
+std::vector<int> find_roots(const GltfDocument& document, const std::vector<int>& parents, Warnings& warnings) {
+  const tinygltf::Model& model = document.model();
+  std::vector<int> roots;
+  if (model.scenes.empty()) {
+    for (std::size_t n = 0; n < parents.size(); ++n) {
+      if (parents[n] < 0) roots.push_back(static_cast<int>(n));
+    }
+    return roots;
+  }
+  const auto scene = static_cast<std::size_t>(std::max(model.defaultScene, 0));
+  for (const int node : model.scenes[scene].nodes) {
+    if (parents[static_cast<std::size_t>(node)] >= 0) {
+      warnings.add(indexed("scenes", scene) + ".nodes",
+                   "node " + std::to_string(node) + " is not a root; the transforms above it are ignored");
+    }
+    roots.push_back(node);
+  }
+  return roots;
+}
+
+bool is_finite(const Affine& transform) {
+  return candil::is_finite(transform.linear[0]) && candil::is_finite(transform.linear[1]) &&
+         candil::is_finite(transform.linear[2]) && candil::is_finite(transform.translation);
+}
+
+Bounds object_bounds(const Scene& scene, const Object& object) {
+  Bounds bounds;
+  for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
+    for (const Vec3 p : scene.meshes[m].positions) bounds.add(p);
+  }
+  return bounds;
+}
+
+/// Beyond this, squared areas overflow single precision and nothing can be shaded.
+constexpr float farthest = 1e9f;
+
+void check_reach(const GltfDocument& document, const Bounds& bounds, const PlacedNode& node) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p =
+        node.to_world.point(Vec3((corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
+                                 (corner & 4 ? bounds.high : bounds.low).z));
+    if (!candil::is_finite(p) || max_component(glm::abs(p)) > farthest) {
+      document.fail(indexed("nodes", node.node), "places its mesh farther than 1e9 m from the origin");
+    }
+  }
+}
+
+/// An instance can be entered by rays only if its transform has an inverse.
+bool is_invertible(const Affine& transform) {
+  const float determinant = glm::determinant(transform.linear);
+  return std::isnormal(determinant) && is_finite(inverse(transform));
+}
+
+}  // namespace
+
+std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warnings) {
+  const std::vector<tinygltf::Node>& nodes = document.model().nodes;
+  const std::vector<int> roots = find_roots(document, find_parents(document), warnings);
+  std::vector<PlacedNode> placed, pending;
+  std::vector<bool> is_placed(nodes.size());
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
+    pending.push_back({static_cast<std::size_t>(*root), Affine{}});
+  }
+  while (!pending.empty()) {
+    PlacedNode current = pending.back();
+    pending.pop_back();
+    const tinygltf::Node& node = nodes[current.node];
+    if (is_placed[current.node] || !is_visible(node)) continue;
+    is_placed[current.node] = true;
+    const std::string place = indexed("nodes", current.node);
+    current.to_world = current.to_world * local_transform(node, place, warnings);
+    if (!is_finite(current.to_world)) document.fail(place, "has a transform that overflows");
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+      pending.push_back({static_cast<std::size_t>(*child), current.to_world});
+    }
+    placed.push_back(current);
+  }
+  return placed;
+}
+
+void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
+                   MaterialTable& materials, Warnings& warnings) {
+  const tinygltf::Model& model = document.model();
+  MeshReader reader(document, scene, materials, warnings);
+  std::map<int, std::uint32_t> objects;  // glTF mesh to Scene::objects
+  std::vector<Bounds> bounds;            // of each object
+  for (const PlacedNode& placed : nodes) {
+    const tinygltf::Node& node = model.nodes[placed.node];
+    if (node.mesh < 0) continue;
+    const auto [entry, is_new] = objects.try_emplace(node.mesh, static_cast<std::uint32_t>(scene.objects.size()));
+    if (is_new) {
+      scene.objects.push_back(reader.read(static_cast<std::size_t>(node.mesh)));
+      bounds.push_back(object_bounds(scene, scene.objects.back()));
+    }
+    const std::uint32_t object = entry->second;
+    if (scene.objects[object].mesh_count == 0) continue;
+    check_reach(document, bounds[object], placed);
+    if (!is_invertible(placed.to_world)) {
+      warnings.add(indexed("nodes", placed.node), "is scaled to nothing in some direction; its mesh is not shown");
+      continue;
+    }
+    const std::string name = node.name.empty() ? indexed("nodes", placed.node) : node.name;
+    scene.instances.push_back({name, object, placed.to_world});
+  }
+  // Damage is reported wherever it is, also in meshes that this scene does not show.
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    if (objects.contains(static_cast<int>(m))) continue;
+    Scene unused;
+    Warnings unheard;
+    TextureTable unused_textures(document, unused, unheard);
+    MaterialTable unused_materials(document, unused, unused_textures, unheard);
+    MeshReader(document, unused, unused_materials, unheard).read(m);
+  }
+}
+
+}  // namespace candil

@@ -1,0 +1,43 @@
+/// The properties that glTF objects may have, as data. check_gltf_schema() interprets it.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace candil::gltf_schema {
+
+/// What a property must be. `integer` has 31 bits, `size` (of bytes or elements) more. `reference`: an index into the
+/// root array that Rule::target names. `object` and `objects` (an array): of the table that Rule::target names. `word`:
+/// one of those that Rule::target lists.
+enum class Kind {
+  boolean,
+  integer,
+  size,
+  number,
+  string,
+  word,
+  numbers,
+  reference,
+  references,
+  reference_map,
+  reference_maps,
+  object,
+  objects
+};
+
+struct Rule {
+  std::string_view property;
+  Kind kind;
+  std::string_view target = {};
+  bool is_required = false;
+  std::size_t length = 0;  ///< Of an array of numbers; 0: any.
+};
+
+using Table = std::vector<Rule>;
+
+/// By the kind of object: "root", "accessor", "sparse indices" and so on, as Rule::target names them.
+const std::map<std::string_view, Table>& tables();
+
+}  // namespace candil::gltf_schema

@@ -1,0 +1,169 @@
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <exception>
+
+#include "io/error.h"
+#include "io/gltf_internal.h"
+#include "io/gltf_tinygltf.h"
+#include "io/image_file.h"
+
+namespace candil {
+
+namespace {
+
+std::string image_place(std::size_t index, const GltfImageSource& source) {
+  return indexed("images", index) + (source.buffer_view >= 0 ? ".bufferView" : ".uri");
+}
+
+/// What messages and `info` call an image: its name, else its file, else its place.
+std::string image_name(std::size_t index, const GltfImageSource& source) {
+  if (!source.name.empty()) return source.name;
+  return source.uri.empty() || is_data_uri(source.uri) ? indexed("images", index) : source.uri;
+}
+
+/// Specification, section 5.26: values of WebGL.
+Wrap to_wrap(int value, const std::string& place, Warnings& warnings) {
+  switch (value) {
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return Wrap::repeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirror;
+    default:
+      warnings.add(place, std::to_string(value) + " is no wrap mode, repeat is used");
+      return Wrap::repeat;
+  }
+}
+
+/// KHR_texture_transform: uv' = translation rotation scale uv, the rotation counter-clockwise as seen in the image (v
+/// points down), as the sample models of the extension show it.
+void set_transform(TextureSlot& slot, const tinygltf::Value& transform) {
+  const auto pair = [&](const char* key, Vec2 fallback) {
+    const tinygltf::Value& value = transform.Get(key);
+    if (!value.IsArray()) return fallback;
+    return Vec2(value.Get(0).GetNumberAsDouble(), value.Get(1).GetNumberAsDouble());
+  };
+  const Vec2 offset = pair("offset", Vec2(0)), scale = pair("scale", Vec2(1));
+  const double rotation = transform.Get("rotation").GetNumberAsDouble();
+  const auto cosine = static_cast<float>(std::cos(rotation)), sine = static_cast<float>(std::sin(rotation));
+  slot.row_u = {cosine * scale.x, sine * scale.y, offset.x};
+  slot.row_v = {-sine * scale.x, cosine * scale.y, offset.y};
+}
+
+}  // namespace
+
+std::uint32_t TextureTable::texture(int index) {
+  const auto [entry, is_new] = texture_ids_.try_emplace(index, invalid_id);
+  if (!is_new) return entry->second;
+
+  const tinygltf::Model& model = document_.model();
+  const tinygltf::Texture& source = model.textures[static_cast<std::size_t>(index)];
+  std::optional<std::size_t> core_image;
+  if (source.source >= 0) core_image = static_cast<std::size_t>(source.source);
+  std::optional<ImageChoice> choice;
+  const auto webp = source.extensions.find("EXT_texture_webp");
+  if (webp != source.extensions.end()) {
+    choice = ImageChoice{static_cast<std::size_t>(webp->second.Get("source").GetNumberAsInt()), core_image};
+  } else if (core_image) {
+    choice = ImageChoice{*core_image, {}};
+  }
+  const std::string place = indexed("textures", static_cast<std::size_t>(index));
+  if (!choice) {
+    warnings_.add(place, "has no image that can be read, it is ignored");
+    return invalid_id;
+  }
+  Texture texture;
+  texture.image = image(*choice);
+  if (source.sampler >= 0) {
+    const tinygltf::Sampler& sampler = model.samplers[static_cast<std::size_t>(source.sampler)];
+    const std::string sampler_place = indexed("samplers", static_cast<std::size_t>(source.sampler));
+    texture.wrap_u = to_wrap(sampler.wrapS, sampler_place + ".wrapS", warnings_);
+    texture.wrap_v = to_wrap(sampler.wrapT, sampler_place + ".wrapT", warnings_);
+    // Minification needs no filter: the many samples of a pixel do its work.
+    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) texture.filter = Filter::nearest;
+  }
+  entry->second = static_cast<std::uint32_t>(scene_.textures.size());
+  scene_.textures.push_back(texture);
+  return entry->second;
+}
+
+std::size_t TextureTable::first_alike(std::size_t image) {
+  const GltfImageSource& source = document_.images()[image];
+  return first_images_.try_emplace({source.uri, source.buffer_view}, image).first->second;
+}
+
+std::uint32_t TextureTable::image(ImageChoice choice) {
+  choice.first = first_alike(choice.first);
+  if (choice.fallback) choice.fallback = first_alike(*choice.fallback);
+  const auto [entry, is_new] = image_ids_.try_emplace(choice, static_cast<std::uint32_t>(image_choices_.size()));
+  if (is_new) image_choices_.push_back(choice);
+  return entry->second;
+}
+
+TextureImage TextureTable::decode(std::size_t index) const {
+  const GltfImageSource& source = document_.images()[index];
+  const std::string place = image_place(index, source), name = image_name(index, source);
+  if (source.buffer_view >= 0) {
+    return decode_texture(document_.buffer_view(static_cast<std::size_t>(source.buffer_view)), name, document_.name(),
+                          place);
+  }
+  const Bytes encoded = read_reference(document_.folder(), source.uri, document_.name(), place);
+  return decode_texture(encoded, name, document_.name(), place);
+}
+
+void TextureTable::decode_images() {
+  const std::size_t count = image_choices_.size();
+  scene_.images.resize(count);
+  std::vector<std::exception_ptr> errors(count);
+  std::vector<std::string> fallback_reasons(count);
+  // One file must not fill the memory with small pictures that claim to be large.
+  constexpr std::size_t most_bytes = std::size_t{8} << 30;
+  std::atomic<std::size_t> decoded_bytes = 0;
+
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const ImageChoice& choice = image_choices_[i];
+    try {
+      if (decoded_bytes > most_bytes) document_.fail("images", "need more than 8 GiB when decoded");
+      try {
+        scene_.images[i] = decode(choice.first);
+      } catch (const InputError& error) {
+        if (!choice.fallback) throw;
+        fallback_reasons[i] = error.what();
+        scene_.images[i] = decode(*choice.fallback);
+      }
+      decoded_bytes += scene_.images[i].bytes();
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (std::size_t i = 0; i < count; ++i) {
+    if (errors[i]) std::rethrow_exception(errors[i]);
+    if (!fallback_reasons[i].empty()) {
+      warnings_.add(indexed("images", image_choices_[i].first),
+                    "the fallback image is used (" + fallback_reasons[i] + ")");
+    }
+  }
+}
+
+TextureSlot make_texture_slot(const TextureUse& use, const std::string& place, TextureTable& textures,
+                              Warnings& warnings) {
+  TextureSlot slot;
+  if (use.texture < 0) return slot;
+  int uv_set = use.uv_set;
+  if (use.transform != nullptr) {
+    set_transform(slot, *use.transform);
+    if (use.transform->Has("texCoord")) uv_set = use.transform->Get("texCoord").GetNumberAsInt();
+  }
+  if (uv_set > 1) {
+    warnings.add(place, "uses TEXCOORD_" + std::to_string(uv_set) + ", only 0 and 1 are supported; it is ignored");
+    return TextureSlot{};
+  }
+  slot.uv_set = static_cast<std::uint32_t>(uv_set);
+  slot.texture = textures.texture(use.texture);
+  return slot.is_used() ? slot : TextureSlot{};
+}
+
+}  // namespace candil

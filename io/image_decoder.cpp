@@ -1,0 +1,165 @@
+#include "io/image_decoder.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "io/image_png.h"
+#include "io/image_pnm.h"
+
+namespace candil {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+bool has_at(Bytes bytes, std::size_t offset, std::string_view magic) {
+  return bytes.size() >= offset + magic.size() && std::memcmp(bytes.data() + offset, magic.data(), magic.size()) == 0;
+}
+
+const char* library_name(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::png:
+      return "png";
+    case ImageFormat::jpeg:
+      return "jpeg";
+    case ImageFormat::webp:
+      return "webp";
+    case ImageFormat::hdr:
+      return "hdr";
+    case ImageFormat::exr:
+      return "openexr";
+    case ImageFormat::pfm:
+      break;  // read without the library
+  }
+  return "";
+}
+
+std::string first_line(const std::string& message) {
+  const std::string line = message.substr(0, message.find('\n'));
+  return line.empty() ? "the data is damaged" : line;
+}
+
+/// A progressive JPEG may ask for any number of passes over its pixels; honest files have about ten. Inside of
+/// compressed data FF is never followed by DA, so that counting the byte pair finds the scans.
+void check_jpeg_scans(Bytes encoded) {
+  constexpr int max_scans = 500;
+  int scans = 0;
+  for (std::size_t i = 0; i + 1 < encoded.size(); ++i)
+    scans += encoded[i] == std::byte{0xff} && encoded[i + 1] == std::byte{0xda};
+  if (scans > max_scans) throw std::runtime_error("more than 500 JPEG scans");
+}
+
+void check_size(const OIIO::ImageSpec& spec, std::size_t encoded_bytes) {
+  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+    throw std::runtime_error("image without pixels (" + size + ")");
+  if (spec.width > max_image_size || spec.height > max_image_size)
+    throw std::runtime_error("image of " + size + " pixels; the limit is " + std::to_string(max_image_size) + " x " +
+                             std::to_string(max_image_size));
+  // Deflate reaches about 1030:1, which is 8240 one-bit pixels per byte, and other formats of real pictures stay far
+  // below: a header that promises more than this in a large image is damaged, or meant to eat memory.
+  constexpr std::size_t free_pixels = std::size_t{1} << 24, pixels_per_byte = 10000;
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  if (pixels > free_pixels && pixels / pixels_per_byte > encoded_bytes)
+    throw std::runtime_error("image of " + size + " pixels in only " + std::to_string(encoded_bytes) + " bytes");
+}
+
+void check_kind(const OIIO::ImageSpec& spec) {
+  if (spec.deep) throw std::runtime_error("deep images are not supported");
+  const std::string color_space = spec.get_string_attribute("jpeg:ColorSpace");
+  if (color_space == "CMYK" || color_space == "YCbCrK")
+    throw std::runtime_error("CMYK colours are not supported; convert the image to RGB");
+  if (spec.width != spec.full_width || spec.height != spec.full_height)
+    throw std::runtime_error("the data window is not the display window (cropped image)");
+  // The library divides by this number, whatever the format.
+  if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
+}
+
+/// Where R, G and B start. Layered EXR files name them "Layer.R"; the first set of three neighbours counts.
+int first_color_channel(const OIIO::ImageSpec& spec) {
+  const auto ends_with = [&](int channel, std::string_view letter) {
+    const std::string& name = spec.channelnames[channel];
+    return name == letter || name.ends_with("." + std::string(letter));
+  };
+  for (int i = 0; i + 2 < static_cast<int>(spec.channelnames.size()); ++i)
+    if (ends_with(i, "R") && ends_with(i + 1, "G") && ends_with(i + 2, "B")) return i;
+  throw std::runtime_error("no channels R, G and B among its " + std::to_string(spec.nchannels));
+}
+
+/// OpenImageIO before 2.5 multiplies the colours of WebP files by alpha, whatever it is asked. What alpha 0 has
+/// erased stays black.
+void divide_by_alpha(std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+    const int alpha = rgba[i + 3];
+    if (alpha == 0) continue;
+    for (std::size_t k = i; k < i + 3; ++k)
+      rgba[k] = static_cast<std::uint8_t>(std::min(255, (rgba[k] * 255 + alpha / 2) / alpha));
+  }
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memory, ImageFormat format,
+                                             OIIO::ImageSpec& spec) {
+  // Created by the name of its format: opening by a file name would go on to try every plugin there is.
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(library_name(format));
+  if (!input) {
+    OIIO::geterror();
+    throw std::runtime_error(std::string("this OpenImageIO cannot read ") + library_name(format) + " files");
+  }
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input->set_ioproxy(&memory) || !input->open("memory", spec, config))
+    throw std::runtime_error(first_line(input->geterror()));
+  return input;
+}
+
+}  // namespace
+
+std::optional<ImageFormat> detect_image_format(Bytes encoded) {
+  if (has_at(encoded, 0, "\x89PNG\r\n\x1a\n")) return ImageFormat::png;
+  if (has_at(encoded, 0, "\xff\xd8\xff")) return ImageFormat::jpeg;
+  if (has_at(encoded, 0, "RIFF") && has_at(encoded, 8, "WEBP")) return ImageFormat::webp;
+  if (has_at(encoded, 0, "#?")) return ImageFormat::hdr;
+  if (has_at(encoded, 0, "\x76\x2f\x31\x01")) return ImageFormat::exr;
+  if (has_at(encoded, 0, "PF") || has_at(encoded, 0, "Pf")) return ImageFormat::pfm;
+  return std::nullopt;
+}
+
+DecodedImage decode_image(Bytes encoded, ImageFormat format) {
+  if (format == ImageFormat::pfm) {
+    PfmImage pfm = decode_pfm(encoded, max_image_size);
+    return {pfm.width, pfm.height, pfm.channels, {}, std::move(pfm.values)};
+  }
+  if (format == ImageFormat::jpeg) check_jpeg_scans(encoded);
+  std::vector<std::byte> png;
+  if (format == ImageFormat::png) encoded = png = keep_png_pixels(encoded);
+  OIIO::Filesystem::IOMemReader memory(encoded.data(), encoded.size());
+  OIIO::ImageSpec spec;
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, format, spec);
+  check_size(spec, encoded.size());
+  check_kind(spec);
+
+  DecodedImage image;
+  image.width = spec.width, image.height = spec.height;
+  image.channels = spec.nchannels > 4 ? 3 : spec.nchannels;
+  const int first = spec.nchannels > 4 ? first_color_channel(spec) : 0;
+  const std::size_t count = static_cast<std::size_t>(spec.width) * spec.height * image.channels;
+  const bool is_8_bit = spec.format == OIIO::TypeDesc::UINT8;
+  is_8_bit ? image.bytes.resize(count) : image.floats.resize(count);
+  void* const pixels = is_8_bit ? static_cast<void*>(image.bytes.data()) : image.floats.data();
+  const OIIO::TypeDesc type = is_8_bit ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+  if (!input->read_image(0, 0, first, first + image.channels, type, pixels))
+    throw std::runtime_error(first_line(input->geterror()));
+  input->close();
+  static_cast<void>(input->geterror());  // complaints about a readable image would be printed when it is destroyed
+  if (format == ImageFormat::webp && image.channels == 4 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0)
+    divide_by_alpha(image.bytes);
+  return image;
+}
+
+}  // namespace candil

@@ -1,0 +1,103 @@
+#include "io/image_encoder.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/image_pnm.h"
+
+namespace candil {
+namespace {
+
+const char* library_name(const std::string& extension) {
+  if (extension == ".exr") return "openexr";
+  if (extension == ".hdr") return "hdr";
+  if (extension == ".png") return "png";
+  if (extension == ".jpg" || extension == ".jpeg") return "jpeg";
+  return "tiff";
+}
+
+/// The first `channels` channels of an image that may have more, or no alpha (then 1).
+std::vector<float> select_channels(const Image& image, int channels) {
+  const std::size_t count = static_cast<std::size_t>(image.width) * image.height;
+  std::vector<float> values(count * channels, 1.0f);
+  const int copied = std::min(channels, image.channels);
+  for (std::size_t i = 0; i < count; ++i) std::copy_n(&image.pixels[i * image.channels], copied, &values[i * channels]);
+  return values;
+}
+
+/// Rounds to the nearest of 256 levels; written out here so that every version of the library gives the same bytes.
+std::vector<std::uint8_t> to_bytes(const std::vector<float>& values) {
+  std::vector<std::uint8_t> bytes(values.size());
+  std::transform(values.begin(), values.end(), bytes.begin(), [](float value) {
+    return value > 0 ? static_cast<std::uint8_t>(std::min(value, 1.0f) * 255.0f + 0.5f) : std::uint8_t{0};
+  });
+  return bytes;
+}
+
+/// The library would write the time of day instead, and no two files would be the same.
+constexpr const char* fixed_time = "1970:01:01 00:00:00";
+
+OIIO::ImageSpec make_spec(const std::string& extension, const Image& image, int channels, OIIO::TypeDesc type,
+                          const ImageMetadata& metadata) {
+  OIIO::ImageSpec spec(image.width, image.height, channels, type);
+  spec.channelnames.assign({"R", "G", "B"});
+  if (channels == 4) spec.channelnames.push_back("A"), spec.alpha_channel = 3;
+  if (extension == ".exr") {
+    spec.attribute("DateTime", fixed_time);
+    spec.attribute("compression", "zip");
+    for (const auto& [key, value] : metadata) spec.attribute(key, value);
+    return spec;
+  }
+  if (is_linear_format("image" + extension)) return spec;
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  // Not for TIFF: the library would say it in an Exif directory, which it fails to write, and tear the file.
+  if (library_name(extension) != std::string_view("tiff")) spec.attribute("oiio:ColorSpace", "sRGB");
+  if (extension == ".jpg" || extension == ".jpeg") {
+    spec.attribute("CompressionQuality", 95);
+    spec.attribute("jpeg:subsampling", "4:4:4");
+  }
+  if (extension == ".tif" || extension == ".tiff") {
+    spec.attribute("DateTime", fixed_time);
+    spec.attribute("compression", "zip");
+  }
+  return spec;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
+                                    const ImageMetadata& metadata) {
+  const int channels = with_alpha && has_alpha_channel("image" + extension) ? 4 : 3;
+  const bool is_8_bit = !is_linear_format("image" + extension);
+  const OIIO::TypeDesc type = is_8_bit ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+  const std::vector<float> values = select_channels(image, channels);
+  const std::vector<std::uint8_t> bytes = is_8_bit ? to_bytes(values) : std::vector<std::uint8_t>();
+  if (extension == ".ppm") return encode_ppm(image.width, image.height, bytes);
+  if (extension == ".pfm") return encode_pfm(image.width, image.height, values);
+
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(library_name(extension));
+  if (!output) {
+    OIIO::geterror();
+    throw std::runtime_error("this OpenImageIO cannot write " + extension + " files");
+  }
+  const OIIO::ImageSpec spec = make_spec(extension, image, channels, type, metadata);
+  const void* pixels = is_8_bit ? static_cast<const void*>(bytes.data()) : values.data();
+  if (!output->set_ioproxy(&memory) || !output->open("image" + extension, spec) || !output->write_image(type, pixels) ||
+      !output->close()) {
+    const std::string message = output->geterror();
+    throw std::runtime_error("cannot be encoded: " + message.substr(0, message.find('\n')));
+  }
+  static_cast<void>(output->geterror());  // complaints about a written image would be printed when it is destroyed
+  const auto* const first = reinterpret_cast<const std::byte*>(encoded.data());
+  return std::vector<std::byte>(first, first + encoded.size());
+}
+
+}  // namespace candil

@@ -1,0 +1,18 @@
+/// Encoded bytes out of pixels: the only writer of OpenImageIO, behind plain types.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "io/image_file.h"
+
+namespace candil {
+
+/// `extension` is lower case with its dot, one that is_writable_image() knows; pixels and alpha as for write_image().
+/// The same arguments give the same bytes: no time stamps. Throws std::runtime_error with one line.
+std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
+                                    const ImageMetadata& metadata);
+
+}  // namespace candil

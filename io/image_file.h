@@ -1,0 +1,47 @@
+/// Images in files, through OpenImageIO. Formats are an allow-list; sizes are checked before pixels are decoded.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/image.h"
+
+namespace candil {
+
+/// Decodes a texture (PNG, JPEG, WebP where the library has it) held in memory. Pixels stay as stored: colour
+/// space hints in the file (gAMA, ICC) are ignored, as glTF demands. `name` is used in messages and kept.
+/// Throws InputError(file, place, ...) when it cannot be decoded, is of another kind, or larger than 16384 x 16384.
+TextureImage decode_texture(std::span<const std::byte> encoded, const std::string& name, const std::string& file,
+                            const std::string& place);
+
+/// Reads an environment (.hdr, .exr, also .pfm, .png, .jpg: sRGB files are made linear) as three linear float channels.
+/// Negative values, which resampling leaves in many published environments, become 0. Throws InputError; a non-finite
+/// value is an error that names the pixel.
+Image read_environment(const std::filesystem::path& path);
+
+/// Key and value pairs for the header of files that can carry them (EXR), e.g. {"candil:seed", "7"}.
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// True when write_image() knows the extension: .exr .hdr .pfm (linear); .png .jpg .jpeg .tif .tiff .ppm (display).
+bool is_writable_image(const std::filesystem::path& path);
+/// True for the formats that store scene-linear values.
+bool is_linear_format(const std::filesystem::path& path);
+/// True for the formats that can store alpha: .exr .png .tif .tiff.
+bool has_alpha_channel(const std::filesystem::path& path);
+
+/// Writes beside the target and renames, so that the target is whole or untouched. `image` holds linear values for
+/// linear formats (premultiplied alpha) and display values in [0, 1] for the others (unassociated alpha; 8 bits). The
+/// alpha channel is written only if `with_alpha` and the format has one. Throws OutputError.
+void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata);
+
+/// An 8-bit PNG in memory, for standard output. `display` is as for write_image(). Throws OutputError.
+std::vector<std::byte> encode_png(const Image& display, bool with_alpha);
+
+/// "2.4.7": the version of the library that is linked.
+std::string openimageio_version();
+
+}  // namespace candil

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "tests/io/gltf_sample.h"
+
+namespace candil::test {
+namespace {
+
+TEST(GltfCamera, ReadsBothKinds) {
+  GltfSample sample;
+  sample.cameras = {R"({"type":"perspective","name":"main","perspective":{"yfov":0.5,"aspectRatio":1.5,"znear":0.1}})",
+                    R"({"type":"orthographic","orthographic":{"xmag":4,"ymag":-2,"zfar":10,"znear":0}})"};
+  sample.nodes = {R"({"camera":1,"name":"side","translation":[1,2,3]})", R"({"camera":0})"};
+  const std::vector<Camera> cameras = load_sample(sample).scene.cameras;
+  ASSERT_EQ(cameras.size(), 2u);
+  EXPECT_EQ(cameras[0].name, "side") << "the node's name where the camera has none";
+  EXPECT_EQ(cameras[0].kind, CameraKind::orthographic);
+  EXPECT_EQ(cameras[0].xmag, 4);
+  EXPECT_EQ(cameras[0].ymag, 2);
+  EXPECT_EQ(cameras[0].to_world.translation, Vec3(1, 2, 3));
+  EXPECT_EQ(cameras[1].name, "main");
+  EXPECT_EQ(cameras[1].yfov, 0.5f);
+  EXPECT_EQ(cameras[1].aspect, 1.5f);
+}
+
+TEST(GltfCamera, IgnoresThoseThatCanShowNothing) {
+  GltfSample sample;
+  sample.cameras = {R"({"type":"perspective","perspective":{"yfov":0,"znear":0.1}})",
+                    R"({"type":"perspective","perspective":{"yfov":3.2,"znear":0.1}})",
+                    R"({"type":"orthographic","orthographic":{"xmag":0,"ymag":1,"zfar":10,"znear":0}})"};
+  sample.nodes = {R"({"camera":0})", R"({"camera":1})", R"({"camera":2})"};
+  const LoadedScene loaded = load_sample(sample);
+  EXPECT_TRUE(loaded.scene.cameras.empty());
+  EXPECT_EQ(loaded.warnings.size(), 3u);
+  sample.cameras = {R"({"type":"fisheye"})"};
+  EXPECT_EQ(load_error(sample), "model.gltf: cameras[0].type: \"fisheye\" is none of: perspective orthographic");
+}
+
+// The node turns -Z to +X (a quarter about -Y: rotation (0, -sin 45, 0, cos 45)) and doubles everything, which must not
+// change the unit direction.
+TEST(GltfLight, ReadsPunctualLights) {
+  GltfSample sample;
+  sample.root = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[
+      {"type":"point","color":[1,0.5,0],"intensity":40,"range":7},
+      {"type":"spot","name":"stage","intensity":2,"spot":{"innerConeAngle":0.1,"outerConeAngle":0.2}},
+      {"type":"directional"}]}})";
+  const auto node = [](int light) {
+    return "{\"name\":\"n\",\"translation\":[1,2,3],\"scale\":[2,2,2],\"rotation\":[0,-0.70710678,0,0.70710678],"
+           "\"extensions\":{\"KHR_lights_punctual\":{\"light\":" +
+           std::to_string(light) + "}}}";
+  };
+  sample.nodes = {node(0), node(1), node(2)};
+  const LoadedScene loaded = load_sample(sample);
+  EXPECT_TRUE(loaded.warnings.empty());
+  const std::vector<PunctualLight>& lights = loaded.scene.punctual_lights;
+  ASSERT_EQ(lights.size(), 3u);
+  EXPECT_EQ(lights[0].kind, PunctualKind::point);
+  EXPECT_EQ(lights[0].name, "n");
+  EXPECT_EQ(lights[0].intensity, Vec3(40, 20, 0));
+  EXPECT_EQ(lights[0].range, 7);
+  EXPECT_EQ(lights[0].position, Vec3(1, 2, 3));
+  EXPECT_EQ(lights[1].kind, PunctualKind::spot);
+  EXPECT_EQ(lights[1].name, "stage");
+  EXPECT_EQ(lights[1].inner_cone, 0.1f);
+  EXPECT_EQ(lights[1].outer_cone, 0.2f);
+  EXPECT_EQ(lights[2].kind, PunctualKind::directional);
+  EXPECT_EQ(lights[2].intensity, Vec3(1)) << "white and 1 lux by default";
+  EXPECT_EQ(lights[2].range, infinity);
+  EXPECT_NEAR(glm::length(lights[2].direction - Vec3(1, 0, 0)), 0, 1e-6f);
+}
+
+TEST(GltfLight, ClampsAnglesAndNegativeIntensity) {
+  GltfSample sample;
+  sample.root = R"(,"extensions":{"KHR_lights_punctual":{"lights":[
+      {"type":"spot","intensity":-5,"range":-1,"spot":{"innerConeAngle":0.5,"outerConeAngle":0.25}}]}})";
+  sample.nodes = {R"({"extensions":{"KHR_lights_punctual":{"light":0}}})"};
+  const LoadedScene loaded = load_sample(sample);
+  ASSERT_EQ(loaded.scene.punctual_lights.size(), 1u);
+  const PunctualLight& light = loaded.scene.punctual_lights[0];
+  EXPECT_EQ(light.intensity, Vec3(0));
+  EXPECT_EQ(light.range, infinity);
+  EXPECT_EQ(light.inner_cone, 0.25f);
+  EXPECT_EQ(loaded.warnings.size(), 3u);
+}
+
+TEST(GltfLight, RefusesLightsThatDoNotExist) {
+  GltfSample sample;
+  sample.nodes = {R"({"extensions":{"KHR_lights_punctual":{"light":0}}})"};
+  EXPECT_EQ(load_error(sample),
+            "model.gltf: nodes[0].extensions.KHR_lights_punctual.light: index 0 does not exist: there are 0 in lights");
+}
+
+}  // namespace
+}  // namespace candil::test

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "io/error.h"
+#include "tests/io/gltf_sample.h"
+#include "tests/io/image_samples.h"
+
+namespace candil::test {
+namespace {
+
+const std::string png_uri = "data:image/png;base64," + std::string(png_rgba8);
+
+/// One triangle with both uv sets and the material; textures 0 to 3 all show the same image.
+GltfSample sample_with_material(const std::string& material) {
+  GltfSample sample;
+  sample.add_triangle(",\"TEXCOORD_0\":1,\"TEXCOORD_1\":1", ",\"material\":0");
+  sample.add_accessor<float>(gl_float, "VEC2", 3, {0, 0, 1, 0, 0, 1});
+  sample.materials = {material};
+  sample.images = {"{\"uri\":\"" + png_uri + "\"}"};
+  sample.textures = {R"({"source":0})", R"({"source":0})", R"({"source":0})", R"({"source":0})"};
+  return sample;
+}
+
+Material load_material(const std::string& json) {
+  return load_sample(sample_with_material(json)).scene.materials.at(0);
+}
+
+TEST(GltfMaterial, DefaultsAreThoseOfTheSpecification) {
+  for (const char* json : {"{}", R"({"pbrMetallicRoughness":{}})"}) {
+    const Material material = load_material(json);
+    EXPECT_EQ(material.base_color, Vec4(1));
+    EXPECT_EQ(material.metallic, 1);
+    EXPECT_EQ(material.roughness, 1);
+    EXPECT_EQ(material.emission, Vec3(0));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+    EXPECT_EQ(material.alpha_cutoff, 0.5f);
+    EXPECT_FALSE(material.is_double_sided);
+    EXPECT_EQ(material.ior, 1.5f);
+    EXPECT_EQ(material.specular, 1);
+    EXPECT_EQ(material.transmission, 0);
+    EXPECT_FALSE(material.base_color_texture.is_used());
+  }
+}
+
+TEST(GltfMaterial, ReadsCoreFactors) {
+  const Material material = load_material(R"({"name":"m","pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],
+      "metallicFactor":0.5,"roughnessFactor":0.25},"emissiveFactor":[0,0.5,1],"alphaMode":"MASK","alphaCutoff":0.75,
+      "doubleSided":true,"normalTexture":{"index":0,"scale":-2},"occlusionTexture":{"index":1,"strength":0.5,"texCoord":1}})");
+  EXPECT_EQ(material.name, "m");
+  EXPECT_EQ(material.base_color, Vec4(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(material.metallic, 0.5f);
+  EXPECT_EQ(material.roughness, 0.25f);
+  EXPECT_EQ(material.emission, Vec3(0, 0.5f, 1));
+  EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(material.alpha_cutoff, 0.75f);
+  EXPECT_TRUE(material.is_double_sided);
+  EXPECT_EQ(material.normal_scale, -2);
+  EXPECT_EQ(material.occlusion_strength, 0.5f);
+  EXPECT_EQ(material.occlusion_texture.uv_set, 1u);
+}
+
+TEST(GltfMaterial, ReadsExtensions) {
+  const Material material = load_material(R"({"emissiveFactor":[1,0.5,0],"alphaMode":"BLEND","extensions":{
+      "KHR_materials_emissive_strength":{"emissiveStrength":3000000000},"KHR_materials_ior":{"ior":1.33},
+      "KHR_materials_specular":{"specularFactor":0.5,"specularColorFactor":[2,1,0],"specularTexture":{"index":0},
+        "specularColorTexture":{"index":1,"texCoord":1}},
+      "KHR_materials_transmission":{"transmissionFactor":0.75,"transmissionTexture":{"index":2}},
+      "KHR_materials_volume":{"thicknessFactor":2,"attenuationDistance":0.5,"attenuationColor":[1,0.5,0.25]},
+      "KHR_materials_unlit":{}}})");
+  EXPECT_EQ(material.emission, Vec3(3e9f, 1.5e9f, 0)) << "an integer of more than 31 bits";
+  EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(material.ior, 1.33f);
+  EXPECT_EQ(material.specular, 0.5f);
+  EXPECT_EQ(material.specular_color, Vec3(2, 1, 0));
+  EXPECT_TRUE(material.specular_texture.is_used());
+  EXPECT_EQ(material.specular_color_texture.uv_set, 1u);
+  EXPECT_EQ(material.transmission, 0.75f);
+  EXPECT_TRUE(material.transmission_texture.is_used());
+  EXPECT_EQ(material.thickness, 2);
+  EXPECT_EQ(material.attenuation_distance, 0.5f);
+  EXPECT_EQ(material.attenuation_color, Vec3(1, 0.5f, 0.25f));
+  EXPECT_TRUE(material.is_unlit);
+}
+
+TEST(GltfMaterial, ClampsFactorsOutOfRangeAndSaysSo) {
+  const LoadedScene loaded = load_sample(sample_with_material(R"({"pbrMetallicRoughness":{"metallicFactor":1.5,
+      "roughnessFactor":-1,"baseColorFactor":[1,1,2,1]},"alphaMode":"DITHER","extensions":{"KHR_materials_ior":{"ior":0.5},
+      "KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":0}}})"));
+  const Material& material = loaded.scene.materials.at(0);
+  EXPECT_EQ(material.metallic, 1);
+  EXPECT_EQ(material.roughness, 0);
+  EXPECT_EQ(material.base_color, Vec4(1));
+  EXPECT_EQ(material.ior, 1);
+  EXPECT_EQ(material.attenuation_distance, infinity);
+  ASSERT_EQ(loaded.warnings.size(), 6u);
+  EXPECT_EQ(loaded.warnings[1], "materials[0].pbrMetallicRoughness.metallicFactor: 1.5 is out of range, 1 is used");
+  EXPECT_EQ(load_material(R"({"extensions":{"KHR_materials_ior":{"ior":0}}})").ior, 0) << "stands for infinity";
+}
+
+// Rotation of a quarter, counter-clockwise as seen in the image: what is looked up for (u, v) is u' = 2 v + 0.1 and
+// v' = -3 u + 0.2 with cos = 0, sin = 1, scale (3, 2), offset (0.1, 0.2). The sample model TextureTransformTest
+// fixes the sense of rotation: its arrow, at 45 degrees in the image, is turned by 22.5 degrees onto the marker at (u,
+// v) = (0.421, 1.016), which is at 67.5 degrees; the lookup turns back.
+TEST(GltfMaterial, AppliesTextureTransforms) {
+  const TextureSlot slot = load_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":0,
+      "extensions":{"KHR_texture_transform":{"offset":[0.1,0.2],"rotation":1.5707963267948966,"scale":[3,2],
+      "texCoord":1}}}}})")
+                               .base_color_texture;
+  EXPECT_EQ(slot.uv_set, 1u);
+  const Vec3 expected_u(0, 2, 0.1f), expected_v(-3, 0, 0.2f);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(slot.row_u[i], expected_u[i], 1e-6f);
+    EXPECT_NEAR(slot.row_v[i], expected_v[i], 1e-6f);
+  }
+  const TextureSlot turned = load_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
+      "extensions":{"KHR_texture_transform":{"rotation":0.39269908169872414}}}}})")
+                                 .base_color_texture;
+  const Vec3 marker(0.421f, 1.016f, 1);
+  EXPECT_NEAR(glm::dot(turned.row_u, marker), glm::dot(turned.row_v, marker), 2e-3f) << "on the arrow's diagonal";
+}
+
+TEST(GltfMaterial, IgnoresUvSetsBeyondTwo) {
+  const LoadedScene loaded =
+      load_sample(sample_with_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":2}}})"));
+  EXPECT_FALSE(loaded.scene.materials.at(0).base_color_texture.is_used());
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_EQ(loaded.warnings[0],
+            "materials[0].pbrMetallicRoughness.baseColorTexture: uses TEXCOORD_2, only 0 and 1 are "
+            "supported; it is ignored");
+}
+
+TEST(GltfMaterial, WarnsOfUvsThatAreMissing) {
+  GltfSample sample = sample_with_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}})");
+  sample.meshes = {R"({"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]})"};
+  const LoadedScene loaded = load_sample(sample);
+  EXPECT_EQ(loaded.warnings,
+            std::vector<std::string>{"meshes[0].primitives[0]: has no TEXCOORD_1 for the textures of its material"});
+}
+
+TEST(GltfMaterial, SamplersAndSharedImages) {
+  GltfSample sample = sample_with_material(
+      R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"emissiveTexture":{"index":1}})");
+  sample.samplers = {R"({"wrapS":33071,"wrapT":33648,"magFilter":9728,"minFilter":9987})"};
+  sample.textures[0] = R"({"source":0,"sampler":0})";
+  sample.textures[1] = R"({"source":1})";
+  sample.images.push_back(sample.images[0]);
+  sample.images.push_back(R"({"uri":"missing.png"})");  // which no material uses
+  const Scene scene = load_sample(sample).scene;
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_EQ(scene.textures[0].wrap_u, Wrap::clamp);
+  EXPECT_EQ(scene.textures[0].wrap_v, Wrap::mirror);
+  EXPECT_EQ(scene.textures[0].filter, Filter::nearest);
+  EXPECT_EQ(scene.textures[1].wrap_u, Wrap::repeat);
+  EXPECT_EQ(scene.textures[1].filter, Filter::bilinear);
+  ASSERT_EQ(scene.images.size(), 1u) << "equal sources are decoded once";
+  EXPECT_EQ(scene.images[0].width, 2);
+  EXPECT_EQ(scene.images[0].rgba8.at(0), glm::u8vec4(200, 100, 50, 128));
+}
+
+TEST(GltfMaterial, DecodesImagesInBufferViews) {
+  GltfSample sample = sample_with_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  const int view = sample.add_view(from_base64(png_rgba8));
+  sample.images = {"{\"name\":\"packed\",\"mimeType\":\"image/png\",\"bufferView\":" + std::to_string(view) + "}"};
+  const Scene scene = load_sample(sample).scene;
+  EXPECT_EQ(scene.images.at(0).name, "packed");
+  EXPECT_EQ(scene.images[0].rgba8.at(1), glm::u8vec4(10, 20, 30, 0));
+}
+
+// A WebP image that cannot be decoded (here since it is none) is replaced by the texture's own source.
+TEST(GltfMaterial, WebpFallsBackToTheCoreImage) {
+  GltfSample sample = sample_with_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  sample.textures[0] = R"({"source":0,"extensions":{"EXT_texture_webp":{"source":1}}})";
+  sample.images.push_back(R"({"uri":"data:image/webp;base64,AAAA"})");
+  const LoadedScene loaded = load_sample(sample);
+  EXPECT_EQ(loaded.scene.images.at(0).rgba8.at(0), glm::u8vec4(200, 100, 50, 128));
+  EXPECT_EQ(loaded.warnings.size(), 1u);
+  sample.textures[0] = R"({"extensions":{"EXT_texture_webp":{"source":1}}})";
+  EXPECT_NE(load_error(sample).find("images[1].uri"), std::string::npos);
+}
+
+TEST(GltfMaterial, NormalTexturesGetTangents) {
+  GltfSample sample = sample_with_material(R"({"normalTexture":{"index":0}})");
+  const Mesh mesh = load_sample(sample).scene.meshes.at(0);
+  // u grows along +X and v along +Y, mirrored with respect to an image's "up".
+  EXPECT_EQ(mesh.tangents.at(0), Vec4(1, 0, 0, -1));
+  sample.materials[0] = "{}";
+  EXPECT_TRUE(load_sample(sample).scene.meshes.at(0).tangents.empty());
+}
+
+}  // namespace
+}  // namespace candil::test
