@@ -1,0 +1,86 @@
+#include "apps/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "apps/render_arguments.h"
+#include "apps/usage_error.h"
+#include "apps/versions.h"
+
+namespace candil {
+namespace {
+
+constexpr const char* general_footer = R"(
+`render` is the default: `candil model.glb` writes model.png into the current folder.
+`candil COMMAND --help` lists the options of a command.
+
+Examples:
+  candil model.glb
+  candil model.glb -o picture.png --spp 256 --size 1920x1080
+  candil info model.glb
+
+Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
+written, 70 a mistake in candil, 130 interrupted.)";
+
+constexpr const char* info_footer = R"(
+Examples:
+  candil info model.glb
+  candil info --json model.glb | jq .triangles)";
+
+void add_info_arguments(CLI::App& app, InfoOptions& options) {
+  app.add_option_function<std::string>(
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf or .glb")
+      ->required();
+  app.add_flag("--json", options.is_json, "Print JSON for machines");
+  app.footer(info_footer);
+}
+
+/// The words after the program's name, with `render` put in front where no command is named.
+std::vector<std::string> with_command(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  constexpr std::string_view known[] = {"render", "info", "-h", "--help", "--version"};
+  if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
+  if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
+  std::ranges::reverse(words);  // the order in which CLI11 takes them
+  return words;
+}
+
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("candil: a physically based path tracer", "candil");
+  app.set_version_flag("--version", version_line());
+  app.require_subcommand(1);
+  app.footer(general_footer);
+
+  RenderOptions render_options;
+  CLI::App* const render = app.add_subcommand("render", "Render a scene to image files (the default command)");
+  add_render_arguments(*render, render_options);
+  InfoOptions info_options;
+  CLI::App* const info = app.add_subcommand("info", "Tell what is in a scene");
+  add_info_arguments(*info, info_options);
+
+  try {
+    app.parse(with_command(argc, argv));
+  } catch (const CLI::CallForHelp&) {
+    const CLI::App* const asked = render->parsed() ? render : info->parsed() ? info : &app;
+    return PrintText{asked->help(asked == &app ? "" : "candil")};
+  } catch (const CLI::CallForVersion& version) {
+    return PrintText{version.what() + std::string("\n")};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(one_line(error.what()) + "; see `candil --help`");
+  }
+  if (info->parsed()) return info_options;
+  check_render_arguments(render_options);
+  return render_options;
+}
+
+}  // namespace candil

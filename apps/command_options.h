@@ -1,0 +1,34 @@
+/// What the command line asks for.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/camera_choice.h"
+#include "apps/environment_choice.h"
+#include "apps/outputs.h"
+#include "integrators/render.h"
+
+namespace candil {
+
+/// `candil render`.
+struct RenderOptions {
+  std::filesystem::path scene;
+  std::vector<std::string> outputs;  ///< As typed; empty: a PNG named after the scene.
+  std::optional<ImageSize> size;
+  RenderSettings settings;  ///< Everything but the size, which follows from the camera when it is not given.
+  EnvironmentOptions environment;
+  CameraOptions camera;
+  DisplayOptions display;
+  std::filesystem::path statistics;  ///< Empty: none.
+  bool is_quiet = false;
+};
+
+/// `candil info`.
+struct InfoOptions {
+  std::filesystem::path scene;
+  bool is_json = false;
+};
+
+}  // namespace candil

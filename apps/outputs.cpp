@@ -1,0 +1,94 @@
+#include "apps/outputs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "apps/usage_error.h"
+#include "io/atomic_file.h"
+#include "io/error.h"
+
+namespace candil {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_standard_output(const std::vector<std::byte>& bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+    throw OutputError("standard output", "cannot be written");
+}
+
+Image without_alpha(const Image& image) {
+  Image rgb(image.width, image.height, 3);
+  for (std::size_t i = 0; i < rgb.pixels.size() / 3; ++i)
+    std::copy_n(&image.pixels[i * image.channels], 3, &rgb.pixels[i * 3]);
+  return rgb;
+}
+
+void write_output(const Output& output, const Image& linear, const DisplayOptions& display,
+                  const ImageMetadata& metadata) {
+  const bool with_alpha = display.is_transparent && (output.is_standard_output() || has_alpha_channel(output.path));
+  const Image image = with_alpha ? linear : without_alpha(linear);
+  if (output.is_standard_output())
+    return write_standard_output(encode_png(to_display(image, display.exposure, display.tonemap), with_alpha));
+  if (is_linear_format(output.path)) return write_image(output.path, image, with_alpha, metadata);
+  write_image(output.path, to_display(image, display.exposure, display.tonemap), with_alpha, metadata);
+}
+
+void check_output(const Output& output) {
+  if (output.is_standard_output()) {
+    if (isatty(STDOUT_FILENO)) throw UsageError("-o -: standard output is a terminal; send it to a file or a pipe");
+    return;
+  }
+  if (!is_writable_image(output.path))
+    throw UsageError(
+        fmt::format("-o: {}: unknown format; use .png, .jpg, .tif, .ppm, .exr, .hdr or .pfm", output.path.string()));
+  check_writable(output.path);
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code status;
+  return fs::equivalent(a, b, status) && !status;
+}
+
+}  // namespace
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& names, const fs::path& scene_file) {
+  std::vector<Output> outputs;
+  for (const std::string& name : names) outputs.push_back({name});
+  if (outputs.empty()) outputs.push_back({scene_file.stem().string() + ".png"});
+  for (const Output& output : outputs) check_output(output);
+  if (std::ranges::count_if(outputs, &Output::is_standard_output) > 1)
+    throw UsageError("-o -: standard output can be used only once");
+  return outputs;
+}
+
+void check_inputs_survive(std::span<const Output> outputs, const fs::path& scene_file, const Scene& scene,
+                          const fs::path& environment_file) {
+  std::vector<fs::path> inputs = {scene_file, environment_file};
+  for (const TextureImage& image : scene.images) inputs.push_back(scene_file.parent_path() / image.name);
+  for (const Output& output : outputs)
+    for (const fs::path& input : inputs)
+      if (is_same_file(output.path, input))
+        throw UsageError(fmt::format("-o: {} is a file that the scene is made of; choose another name with -o",
+                                     output.path.string()));
+}
+
+void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
+                   const ImageMetadata& metadata) {
+  const Image linear = film.mean();
+  std::exception_ptr first_error;
+  for (const Output& output : outputs) {
+    try {
+      write_output(output, linear, display, metadata);
+    } catch (const OutputError&) {
+      if (!first_error) first_error = std::current_exception();
+    }
+  }
+  if (first_error) std::rethrow_exception(first_error);
+}
+
+}  // namespace candil

@@ -1,0 +1,43 @@
+/// The pictures that a render leaves: which ones, whether they can be written, and writing them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/film.h"
+#include "core/scene.h"
+#include "core/tonemap.h"
+#include "io/image_file.h"
+
+namespace candil {
+
+/// A file, or standard output (a PNG) when `path` is "-".
+struct Output {
+  std::filesystem::path path;
+
+  bool is_standard_output() const { return path == "-"; }
+};
+
+/// How linear values become those of display formats.
+struct DisplayOptions {
+  float exposure = 0;  ///< Stops.
+  Tonemap tonemap = Tonemap::neutral;
+  bool is_transparent = false;  ///< Alpha is written where the format has it.
+};
+
+/// The files that `names` mean; without names SCENE.png in the current folder. Throws UsageError for unknown formats
+/// and for standard output twice, OutputError for what cannot be written.
+std::vector<Output> plan_outputs(const std::vector<std::string>& names, const std::filesystem::path& scene_file);
+
+/// Throws UsageError when an output would replace a file that the render reads: the scene, one of its images, or the
+/// environment.
+void check_inputs_survive(std::span<const Output> outputs, const std::filesystem::path& scene_file, const Scene& scene,
+                          const std::filesystem::path& environment_file);
+
+/// Writes every output, also when one of them fails; throws the first OutputError at the end.
+void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
+                   const ImageMetadata& metadata);
+
+}  // namespace candil

@@ -1,0 +1,201 @@
+#include "apps/render_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <thread>
+
+#include "apps/usage_error.h"
+
+namespace candil {
+namespace {
+
+constexpr const char* footer = R"(
+Examples:
+  candil model.glb                                   model.png, framed and lit automatically
+  candil model.glb -o a.png -o a.exr --spp 512       a picture and its linear values
+  candil model.glb --env sky.hdr --env-rotate 90     lit by an environment image
+  candil model.glb --orbit 120,10 --size 800x800     from another side
+  candil model.glb --look-from 2,1,3 --look-at 0,1,0 --fov 40 --aperture 0.02 --focus 3
+  candil model.glb --transparent -o cut-out.png      without background
+  candil model.glb --time 30 --stats stats.json      what 30 seconds give
+  candil model.glb -o - --quiet | display            PNG to standard output
+
+Ctrl-C writes what is there; pressed again, it ends the program at once.)";
+
+constexpr std::uint64_t max_samples = std::uint64_t{1} << 24;
+
+/// Adds options whose words are turned into values by our own functions: the messages are the same with every version
+/// of CLI11, and nothing like NaN slips through.
+class Arguments {
+ public:
+  using Setter = std::function<void(const std::string& option, const std::string& text)>;
+
+  explicit Arguments(CLI::App& app) : app_(app) {}
+
+  void group(const std::string& name) { group_ = name; }
+
+  /// Given twice, the last one counts: a script's defaults can be overridden by appending.
+  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help, const Setter& set) {
+    const auto call = [name, set](const std::string& text) { set(name, text); };
+    CLI::Option* const option = app_.add_option_function<std::string>(name, call, help);
+    return option->type_name(value)->group(group_)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+
+  void add_flag(const std::string& name, const std::string& help, bool& target) {
+    app_.add_flag(name, target, help)->group(group_);
+  }
+
+ private:
+  CLI::App& app_;
+  std::string group_;
+};
+
+float parse_radians(const std::string& option, const std::string& text, double low, double high) {
+  return glm::radians(static_cast<float>(parse_real(option, text, low, high)));
+}
+
+float parse_float(const std::string& option, const std::string& text, double low, double high) {
+  return static_cast<float>(parse_real(option, text, low, high));
+}
+
+void add_sampling_arguments(Arguments& arguments, RenderSettings& settings) {
+  arguments.group("Quality");
+  arguments.add("--spp", "N", "Samples per pixel (default 128; with --time as many as fit)",
+                [&](const auto& option, const auto& text) {
+                  settings.samples_per_pixel = static_cast<std::uint32_t>(parse_integer(option, text, 1, max_samples));
+                });
+  arguments.add(
+      "--time", "SECONDS", "Stop after this time and write what is there",
+      [&](const auto& option, const auto& text) { settings.time_limit_seconds = parse_real(option, text, 1e-3, 1e9); });
+  arguments.add("--max-bounces", "N", "Longest paths, in scattering events (default 64)",
+                [&](const auto& option, const auto& text) {
+                  settings.max_bounces = static_cast<std::uint32_t>(parse_integer(option, text, 0, 65535));
+                });
+  arguments.add("--integrator", "NAME", "path (default), naive, normals or albedo",
+                [&](const auto& option, const auto& text) {
+                  const std::optional<IntegratorKind> kind = integrator_from_name(text);
+                  if (!kind) fail_choice(option, text, {"path", "naive", "normals", "albedo"});
+                  settings.integrator = *kind;
+                });
+  arguments.add("--filter", "NAME", "Pixel filter: blackman-harris (default), box or gaussian",
+                [&](const auto& option, const auto& text) {
+                  const std::optional<FilterKind> kind = filter_from_name(text);
+                  if (!kind) fail_choice(option, text, {"blackman-harris", "box", "gaussian"});
+                  settings.filter = *kind;
+                });
+  arguments.add("--seed", "N", "Another seed, other noise (default 0)", [&](const auto& option, const auto& text) {
+    settings.seed = parse_integer(option, text, 0, ~std::uint64_t{0});
+  });
+  arguments.add("--threads", "N", "Threads (default: one for each processor); the picture is the same",
+                [&](const auto& option, const auto& text) {
+                  settings.threads = static_cast<int>(parse_integer(option, text, 1, 1024));
+                });
+}
+
+void add_camera_arguments(Arguments& arguments, CameraOptions& camera) {
+  arguments.group("Camera");
+  CLI::Option* const name = arguments.add("--camera", "INDEX|NAME", "A camera of the file (default: the first)",
+                                          [&](const auto&, const auto& text) { camera.name = text; });
+  CLI::Option* const orbit = arguments.add(
+      "--orbit", "AZIMUTH,ELEVATION[,DISTANCE]",
+      "Look at the middle of the scene; degrees and metres (default 35,20, at the distance that fills the frame)",
+      [&](const auto& option, const auto& text) {
+        const std::vector<float> values = parse_reals(option, text, 2, 3);
+        Orbit wanted{glm::radians(values[0]), glm::radians(values[1])};
+        if (values.size() == 3) wanted.distance = values[2];
+        if (values.size() == 3 && !(values[2] > 0)) throw UsageError(option + ": the distance must be positive");
+        camera.orbit = wanted;
+      });
+  CLI::Option* const from =
+      arguments.add("--look-from", "X,Y,Z", "Stand here, in metres",
+                    [&](const auto& option, const auto& text) { camera.look_from = parse_vector(option, text); });
+  arguments
+      .add("--look-at", "X,Y,Z", "Look at this point (default: the middle of the scene)",
+           [&](const auto& option, const auto& text) { camera.look_at = parse_vector(option, text); })
+      ->needs(from);
+  name->excludes(orbit)->excludes(from);
+  orbit->excludes(from);
+  arguments.add("--fov", "DEGREES", "Vertical angle of view",
+                [&](const auto& option, const auto& text) { camera.yfov = parse_radians(option, text, 0.01, 179); });
+  arguments.add("--aperture", "METRES", "Radius of the lens; 0 is a pinhole (default)",
+                [&](const auto& option, const auto& text) { camera.lens_radius = parse_float(option, text, 0, 1e6); });
+  arguments.add(
+      "--focus", "METRES", "Distance in focus (default: the middle of the scene, or --look-at)",
+      [&](const auto& option, const auto& text) { camera.focus_distance = parse_float(option, text, 1e-6, 1e12); });
+}
+
+void add_light_arguments(Arguments& arguments, EnvironmentOptions& environment) {
+  arguments.group("Environment");
+  CLI::Option* const image = arguments.add("--env", "FILE", "Light from a latitude-longitude image: .hdr, .exr, .pfm",
+                                           [&](const auto&, const auto& text) { environment.image = text; });
+  arguments
+      .add("--env-color", "R,G,B",
+           "The same light from everywhere; 0,0,0 for none (default: a studio, if the file has no light)",
+           [&](const auto& option, const auto& text) {
+             const Vec3 color = parse_vector(option, text);
+             if (min_component(color) < 0) throw UsageError(option + ": light must not be negative");
+             environment.color = color;
+           })
+      ->excludes(image);
+  arguments.add(
+      "--env-rotate", "DEGREES", "Turn the environment about the vertical axis",
+      [&](const auto& option, const auto& text) { environment.rotation = parse_radians(option, text, -1e6, 1e6); });
+  arguments.add(
+      "--env-strength", "X", "Factor of the environment's light (default 1)",
+      [&](const auto& option, const auto& text) { environment.strength = parse_float(option, text, 0, 1e12); });
+}
+
+void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& options) {
+  arguments.group("Output");
+  app.add_option(
+         "-o,--output", options.outputs,
+         "Image file: .png .jpg .tif .ppm (display) or .exr .hdr .pfm (linear); - is a PNG on standard output. May be "
+         "given several times (default: a PNG named after the scene)")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->group("Output");
+  arguments.add("--size", "WxH",
+                "Pixels (default: 1024 on the longer side, as the camera of the file wants, or 1024x768)",
+                [&](const auto& option, const auto& text) { options.size = parse_size(option, text); });
+  arguments.add_flag("--transparent", "Leave the background out: alpha in .png .tif .exr",
+                     options.display.is_transparent);
+  arguments.add(
+      "--exposure", "STOPS", "Brighten (or darken) display formats by factors of two",
+      [&](const auto& option, const auto& text) { options.display.exposure = parse_float(option, text, -64, 64); });
+  arguments.add("--tonemap", "NAME", "For display formats: neutral (default), clamp or none",
+                [&](const auto& option, const auto& text) {
+                  const std::optional<Tonemap> tonemap = tonemap_from_name(text);
+                  if (!tonemap) fail_choice(option, text, tonemap_names());
+                  options.display.tonemap = *tonemap;
+                });
+  arguments.add("--stats", "FILE", "Write times, counts and versions as JSON",
+                [&](const auto&, const auto& text) { options.statistics = text; });
+  arguments.add_flag("--quiet,-q", "No progress and no list of files; warnings and errors stay", options.is_quiet);
+}
+
+}  // namespace
+
+void add_render_arguments(CLI::App& app, RenderOptions& options) {
+  constexpr std::uint32_t not_given = 0;
+  options.settings.samples_per_pixel = not_given;
+  Arguments arguments(app);
+  app.add_option_function<std::string>(
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf or .glb")
+      ->required();
+  add_output_arguments(app, arguments, options);
+  add_sampling_arguments(arguments, options.settings);
+  add_camera_arguments(arguments, options.camera);
+  add_light_arguments(arguments, options.environment);
+  app.footer(footer);
+}
+
+void check_render_arguments(RenderOptions& options) {
+  RenderSettings& settings = options.settings;
+  constexpr std::uint32_t default_samples = 128;
+  if (settings.samples_per_pixel == 0)
+    settings.samples_per_pixel = settings.time_limit_seconds > 0 ? max_samples : default_samples;
+  if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+}  // namespace candil

@@ -1,0 +1,121 @@
+#include "apps/render_command.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+
+#include "apps/exit_code.h"
+#include "apps/interrupt.h"
+#include "apps/messages.h"
+#include "apps/progress.h"
+#include "apps/statistics.h"
+#include "apps/versions.h"
+#include "core/accelerator.h"
+#include "io/atomic_file.h"
+#include "io/load_scene.h"
+#include "materials/alpha.h"
+
+namespace candil {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Everything that is made from the scene file before the first ray; the parts refer to the scene, which stays where it
+/// is.
+struct PreparedScene {
+  Scene scene;
+  std::unique_ptr<Accelerator> accelerator;
+  std::unique_ptr<LightSampler> lights;
+  std::unique_ptr<BsdfTables> tables;
+  RenderTimes times;
+};
+
+void load(const RenderOptions& options, PreparedScene& prepared) {
+  LoadedScene loaded = load_scene(options.scene);
+  for (const std::string& warning : loaded.warnings) print_warning(warning);
+  prepared.scene = std::move(loaded.scene);
+  prepared.scene.environment = choose_environment(prepared.scene, options.environment);
+}
+
+std::unique_ptr<PreparedScene> prepare(const RenderOptions& options) {
+  auto prepared = std::make_unique<PreparedScene>();
+  const Clock::time_point start = Clock::now();
+  load(options, *prepared);
+  prepared->lights = std::make_unique<LightSampler>(prepared->scene);
+  if (prepared->lights->is_empty()) print_warning(options.scene.string() + ": no light, the picture will be black");
+  prepared->tables = std::make_unique<BsdfTables>(prepared->scene);
+  prepared->times.load = seconds_since(start);
+  const Clock::time_point bvh_start = Clock::now();
+  prepared->accelerator = make_embree_accelerator(prepared->scene, alpha_filter());
+  prepared->times.bvh = seconds_since(bvh_start);
+  return prepared;
+}
+
+const char* integrator_name(IntegratorKind kind) {
+  switch (kind) {
+    case IntegratorKind::path:
+      return "path";
+    case IntegratorKind::naive:
+      return "naive";
+    case IntegratorKind::normals:
+      return "normals";
+    case IntegratorKind::albedo:
+      return "albedo";
+  }
+  return "";
+}
+
+/// Only what decides the pixels: the same command writes the same file, byte for byte.
+ImageMetadata describe(const RenderOptions& options, const RenderSettings& settings, const CameraChoice& camera,
+                       std::uint32_t samples) {
+  return {{"candil:version", candil_version()},           {"candil:scene", options.scene.filename().string()},
+          {"candil:camera", camera.description},          {"candil:integrator", integrator_name(settings.integrator)},
+          {"candil:seed", std::to_string(settings.seed)}, {"candil:spp", std::to_string(samples)}};
+}
+
+void report(const RenderOptions& options, std::span<const Output> outputs, const RenderResult& result) {
+  if (result.non_finite_samples > 0)
+    print_warning(fmt::format("{} samples were not finite and count as black", result.non_finite_samples));
+  if (options.is_quiet) return;
+  for (const Output& output : outputs)
+    print_note(fmt::format("wrote {} ({}x{}, {} spp, {:.1f} s)",
+                           output.is_standard_output() ? "standard output" : output.path.string(), result.film.width(),
+                           result.film.height(), result.film.sample_count(), result.seconds));
+}
+
+}  // namespace
+
+int run_render(const RenderOptions& options) {
+  const std::vector<Output> outputs = plan_outputs(options.outputs, options.scene);
+  if (!options.statistics.empty()) check_writable(options.statistics);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(options.settings.threads));
+  tbb::task_arena arena(options.settings.threads);
+  const std::unique_ptr<PreparedScene> prepared = arena.execute([&] { return prepare(options); });
+  check_inputs_survive(outputs, options.scene, prepared->scene, options.environment.image);
+
+  const CameraChoice camera = choose_camera(prepared->scene, options.camera, options.size);
+  RenderSettings settings = options.settings;
+  settings.width = camera.size.width, settings.height = camera.size.height;
+  settings.transparent_background = options.display.is_transparent;
+  const std::atomic<bool>& stop = catch_interrupts();
+  Progress progress(options.is_quiet, settings);
+  progress.start(options.scene.filename().string());
+  const RenderContext context{prepared->scene, *prepared->accelerator, *prepared->lights, *prepared->tables};
+  const RenderResult result = render(
+      context, camera.camera, settings, [&](const RenderProgress& now) { progress.update(now); }, &stop);
+  progress.finish();
+
+  write_outputs(outputs, result.film, options.display, describe(options, settings, camera, result.film.sample_count()));
+  if (!options.statistics.empty())
+    write_statistics(options.statistics, prepared->scene, settings, result, prepared->times,
+                     prepared->accelerator->memory_bytes());
+  report(options, outputs, result);
+  return result.was_interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace candil

@@ -1,0 +1,23 @@
+# Every library from outside that the targets link. All come from the distribution; nothing is downloaded.
+# candilConfig.cmake.in looks for the same ones again on behalf of outside projects.
+
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+
+# Debian 12 has Embree 3.13, Debian 13 and Ubuntu 24.04 have 4.3. Both call their target `embree`.
+find_package(embree 4 CONFIG QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3.13 CONFIG REQUIRED)
+endif()
+string(REGEX MATCH "^[0-9]+" CANDIL_EMBREE_MAJOR "${embree_VERSION}")
+message(STATUS "Embree ${embree_VERSION}")
+
+find_package(CandilOpenImageIO REQUIRED)
+
+# tinygltf is compiled into io/ with our own choice of its options: only its header is needed.
+find_path(CANDIL_TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
+mark_as_advanced(CANDIL_TINYGLTF_INCLUDE_DIR)

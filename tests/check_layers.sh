@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Dependencies point down only: apps -> io, integrators -> materials -> core; io and integrators do not know each other.
+# Names every include that breaks this, and heavy libraries outside the layer that may see them.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+status=0
+
+# forbid FOLDER PATTERN REASON: no include of FOLDER may match the extended regular expression.
+forbid() {
+  if grep -rnE --include='*.h' --include='*.cpp' "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" "$1"; then
+    echo "^ $3"
+    status=1
+  fi
+}
+
+forbid core '(materials|integrators|io|apps|tests)/' 'core/ knows no other folder'
+forbid materials '(integrators|io|apps|tests)/' 'materials/ knows only core/'
+forbid integrators '(io|apps|tests)/' 'integrators/ knows only materials/ and core/'
+forbid io '(materials|integrators|apps|tests)/' 'io/ knows only core/'
+forbid apps 'tests/' 'apps/ does not know tests/'
+
+for folder in core materials integrators apps; do
+  forbid "$folder" '(OpenImageIO/|tiny_gltf)' 'only io/ sees OpenImageIO and tinygltf'
+done
+for folder in materials integrators io apps; do
+  forbid "$folder" 'embree[34]/' 'only core/ sees Embree'
+done
+
+exit "$status"

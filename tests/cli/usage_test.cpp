@@ -1,0 +1,121 @@
+/// Wrong command lines: exit code 2, one line that names the option, and no file touched.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "tests/cli/run_program.h"
+
+namespace candil::test {
+namespace {
+
+struct WrongUsage {
+  std::vector<std::string> arguments;
+  std::string message;  ///< Part of the line.
+};
+
+void PrintTo(const WrongUsage& usage, std::ostream* stream) {
+  for (const std::string& word : usage.arguments) *stream << word << ' ';
+}
+
+class Usage : public testing::TestWithParam<WrongUsage> {};
+
+TEST_P(Usage, IsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  write_square_scene(folder);
+  const ProgramResult result = run_program(GetParam().arguments, folder.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.errors.find(GetParam().message), std::string::npos) << result.errors;
+  EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+  EXPECT_EQ(count_errors(result), 1) << result.errors;
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"square.gltf"});
+}
+
+const std::vector<WrongUsage> wrong_usages = {
+    {{}, "no scene given"},
+    {{"render"}, "SCENE"},
+    {{"info"}, "SCENE"},
+    {{"square.gltf", "extra"}, "extra"},
+    {{"square.gltf", "--no-such-option"}, "--no-such-option"},
+    {{"info", "square.gltf", "--spp", "3"}, "--spp"},
+    {{"square.gltf", "--spp"}, "--spp"},
+    {{"square.gltf", "--spp", "0"}, "--spp: '0' is not a whole number from 1"},
+    {{"square.gltf", "--spp", "-4"}, "--spp: '-4'"},
+    {{"square.gltf", "--spp", "4.5"}, "--spp: '4.5'"},
+    {{"square.gltf", "--spp", "99999999999999999999"}, "--spp"},
+    {{"square.gltf", "--size", "64"}, "--size: '64'"},
+    {{"square.gltf", "--size", "0x64"}, "--size: '0x64'"},
+    {{"square.gltf", "--size", "64x64x64"}, "--size"},
+    {{"square.gltf", "--size", "100000x1"}, "--size"},
+    {{"square.gltf", "--max-bounces", "many"}, "--max-bounces"},
+    {{"square.gltf", "--filter", "triangle"}, "--filter: 'triangle' is not one of blackman-harris, box, gaussian"},
+    {{"square.gltf", "--integrator", "Path"}, "--integrator: 'Path' is not one of path, naive, normals, albedo"},
+    {{"square.gltf", "--tonemap", "aces?"}, "--tonemap: 'aces?' is not one of neutral, clamp, none"},
+    {{"square.gltf", "--seed", "-1"}, "--seed"},
+    {{"square.gltf", "--threads", "0"}, "--threads"},
+    {{"square.gltf", "--time", "0"}, "--time"},
+    {{"square.gltf", "--time", "nan"}, "--time: 'nan' is not a number"},
+    {{"square.gltf", "--exposure", "inf"}, "--exposure: 'inf' is not a number"},
+    {{"square.gltf", "--env-color", "1,2"}, "--env-color: '1,2' is not 3 numbers"},
+    {{"square.gltf", "--env-color", "1,-2,1"}, "--env-color: light must not be negative"},
+    {{"square.gltf", "--env-color", "1,nan,1"}, "--env-color"},
+    {{"square.gltf", "--env-strength", "-1"}, "--env-strength"},
+    {{"square.gltf", "--env", "a.hdr", "--env-color", "1,1,1"}, "--env"},
+    {{"square.gltf", "--camera", "0"}, "--camera: no camera '0'; the scene has no cameras"},
+    {{"square.gltf", "--camera", "0", "--orbit", "0,0"}, "--camera"},
+    {{"square.gltf", "--look-at", "0,0,0"}, "--look-from"},
+    {{"square.gltf", "--look-from", "1;2;3"}, "--look-from"},
+    {{"square.gltf", "--orbit", "1"}, "--orbit: '1' is not 2 to 3 numbers"},
+    {{"square.gltf", "--orbit", "1,2,-3"}, "--orbit: the distance must be positive"},
+    {{"square.gltf", "--fov", "180"}, "--fov: 180 is not between"},
+    {{"square.gltf", "--aperture", "-1"}, "--aperture"},
+    {{"square.gltf", "--focus", "0"}, "--focus"},
+    {{"square.gltf", "-o", "picture.gif"}, "picture.gif: unknown format"},
+    {{"square.gltf", "-o", "picture"}, "picture: unknown format"},
+    {{"square.gltf", "-o", "-", "-o", "-"}, "only once"},
+};
+
+INSTANTIATE_TEST_SUITE_P(CommandLine, Usage, testing::ValuesIn(wrong_usages));
+
+TEST(Help, IsPrintedForEveryCommandWithExamples) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"info", "--help"}, {"-h"}}) {
+    const ProgramResult result = run_program(arguments, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << arguments[0];
+    EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("candil"), std::string::npos) << result.output;
+    EXPECT_EQ(result.errors, "");
+  }
+}
+
+TEST(Help, ListsTheOptionsOfRender) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"render", "--help"}, folder.path());
+  for (const char* const option :
+       {"--output",   "--spp",        "--size",    "--max-bounces", "--filter",       "--seed",      "--threads",
+        "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
+        "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
+        "--exposure", "--tonemap",    "--stats",   "--quiet"})
+    EXPECT_NE(result.output.find(option), std::string::npos) << option;
+}
+
+TEST(Help, ListsTheExitCodes) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"--help"}, folder.path());
+  EXPECT_NE(result.output.find("Exit codes: 0 done"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("130 interrupted"), std::string::npos) << result.output;
+}
+
+TEST(Version, NamesTheLibraries) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"--version"}, folder.path());
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.output.starts_with("candil " CANDIL_VERSION ", Embree ")) << result.output;
+  EXPECT_NE(result.output.find(", OpenImageIO "), std::string::npos) << result.output;
+  EXPECT_EQ(result.errors, "");
+}
+
+}  // namespace
+}  // namespace candil::test

@@ -1,0 +1,168 @@
+// `path` has the expected value of `naive`, scene by scene: next-event estimation and its weights add nothing and lose nothing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/camera.h"
+#include "tests/support/scene_builder.h"
+
+namespace candil::test {
+namespace {
+
+struct NamedScene {
+  const char* name;
+  void (*build)(SceneBuilder&);
+};
+
+Material glossy(float metallic, float roughness, Vec3 color) {
+  Material m;
+  m.base_color = Vec4(color, 1);
+  m.metallic = metallic;
+  m.roughness = roughness;
+  m.is_double_sided = true;
+  return m;
+}
+
+Material emitter(Vec3 radiance) {
+  Material m = glossy(0, 1, Vec3(0.3f));
+  m.emission = radiance;
+  m.is_double_sided = false;
+  return m;
+}
+
+void add_floor(SceneBuilder& builder, std::uint32_t material) {
+  builder.add_quad(Vec3(-3, -1, 3), Vec3(6, 0, 0), Vec3(0, 0, -6), material);
+}
+
+/// A big soft light above, so that naive paths find it.
+void add_ceiling_light(SceneBuilder& builder, Vec3 radiance) {
+  builder.add_quad(Vec3(-2, 2, -2), Vec3(4, 0, 0), Vec3(0, 0, 4), builder.add_material(emitter(radiance)));
+}
+
+void glossy_room(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.6f, 0.4f, 0.3f)), true);
+  add_ceiling_light(builder, Vec3(4, 5, 6));
+  builder.add_sphere(Vec3(-0.8f, 0, 0), 0.8f, builder.add_material(glossy(1, 0.25f, Vec3(0.9f, 0.7f, 0.4f))), 16);
+  builder.add_sphere(Vec3(0.9f, 0, 0.2f), 0.8f, builder.add_material(glossy(0, 0.4f, Vec3(0.2f, 0.5f, 0.8f))), 16);
+}
+
+/// A sky with a bright patch, rotated, over rough plastic and a mirror.
+void sky_with_sun(SceneBuilder& builder) {
+  Environment& environment = builder.scene.environment;
+  environment.tint = Vec3(1, 0.9f, 0.8f);
+  environment.rotation = 0.7f;
+  environment.image = Image(32, 16, 3);
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const bool is_sun = y >= 2 && y < 5 && x >= 6 && x < 11;
+      for (int c = 0; c < 3; ++c) environment.image.pixel(x, y)[c] = is_sun ? 12.0f : 0.2f + 0.02f * static_cast<float>(y);
+    }
+  }
+  add_floor(builder, builder.add_material(glossy(0, 0.5f, Vec3(0.5f))));
+  builder.add_sphere(Vec3(-0.8f, 0, 0), 0.8f, builder.add_material(glossy(1, 0, Vec3(0.9f))), 16);
+  builder.add_sphere(Vec3(0.9f, 0, 0.2f), 0.8f, builder.add_material(glossy(0.5f, 0.3f, Vec3(0.8f, 0.2f, 0.2f))), 16);
+}
+
+/// Rough tinted glass with absorption, and a rough thin sheet in front.
+void rough_glass(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f)), true);
+  add_ceiling_light(builder, Vec3(6));
+  Material glass = glossy(0, 0.5f, Vec3(0.9f, 1, 0.9f));
+  glass.transmission = 1, glass.thickness = 1, glass.is_double_sided = false;
+  glass.attenuation_color = Vec3(0.9f, 0.6f, 0.3f);
+  glass.attenuation_distance = 0.7f;
+  builder.add_sphere(Vec3(-0.8f, 0, 0), 0.8f, builder.add_material(glass), 16);
+  Material sheet = glossy(0, 0.45f, Vec3(0.8f, 0.5f, 0.5f));
+  sheet.transmission = 0.7f;
+  builder.add_quad(Vec3(0.2f, -0.8f, 1), Vec3(1.4f, 0, 0), Vec3(0, 1.6f, 0), builder.add_material(sheet));
+  builder.add_sphere(Vec3(0.9f, 0, -0.4f), 0.6f, builder.add_diffuse(Vec3(0.2f, 0.3f, 0.8f)), 16);
+}
+
+/// A two-sided emitter that is half there, with a texture, over holes; and an emitter that is only lit on its front.
+void partly_there(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.7f)), true);
+  TextureImage checks;
+  checks.width = checks.height = 2;
+  checks.has_alpha = true;
+  checks.rgba8 = {{255, 64, 0, 255}, {0, 255, 0, 40}, {10, 10, 255, 160}, {255, 255, 255, 0}};
+  builder.scene.images = {checks};
+  builder.scene.textures = {Texture{0, Wrap::repeat, Wrap::mirror, Filter::bilinear}};
+  TextureSlot slot;
+  slot.texture = 0;
+  Material glowing = glossy(0, 0.6f, Vec3(0.8f));
+  glowing.emission = Vec3(5, 4, 3);
+  glowing.emission_texture = glowing.base_color_texture = slot;
+  glowing.alpha_mode = AlphaMode::blend;
+  builder.add_quad(Vec3(-2, 1.5f, -2), Vec3(4, 0, 0), Vec3(0, 0, 4), builder.add_material(glowing));
+  Material holes = glossy(0, 1, Vec3(0.6f));
+  holes.base_color_texture = slot;
+  holes.alpha_mode = AlphaMode::mask;
+  builder.add_quad(Vec3(-1.5f, 0.4f, -1.5f), Vec3(3, 0, 0), Vec3(0, 0, 3), builder.add_material(holes));
+  builder.add_quad(Vec3(-2.9f, -2, -2), Vec3(0, 3, 0), Vec3(0, 0, 3), builder.add_material(emitter(Vec3(1, 1, 3))));
+}
+
+/// An instanced, mirrored and stretched emitter.
+void instanced_light(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f, 0.6f, 0.4f)), true);
+  const auto mesh = builder.add_quad(Vec3(-1, 0, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(emitter(Vec3(4))));
+  Scene& scene = builder.scene;
+  Instance& first = scene.instances.back();  // the quad faces down
+  first.is_world_space = false;
+  first.to_world = {Mat3(1.5f, 0, 0, 0, 1, 0, 0, 0, 0.8f), Vec3(0, 2, 0)};
+  const std::uint32_t object = first.object;
+  // Mirrored in y: its front faces up, at the floor's side of the room it shines onto the ceiling.
+  scene.instances.push_back({"mirrored", object, {Mat3(0.7f, 0, 0, 0, -1, 0, 0, 0.2f, 0.7f), Vec3(0.5f, -1.5f, 0)}, false});
+  EXPECT_EQ(scene.objects[object].first_mesh, mesh);
+}
+
+const NamedScene scenes[] = {{"glossy_room", glossy_room},
+                             {"sky_with_sun", sky_with_sun},
+                             {"rough_glass", rough_glass},
+                             {"partly_there", partly_there},
+                             {"instanced_light", instanced_light}};
+
+/// Mean over the image and its standard error, from the variances that the film kept.
+Estimate image_mean(const Film& film) {
+  const Image mean = film.mean(), variance = film.variance();
+  const std::size_t pixels = mean.pixels.size() / 4;
+  Estimate estimate;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      estimate.mean[c] += mean.pixels[4 * i + c] / static_cast<float>(pixels);
+      estimate.standard_error[c] += variance.pixels[3 * i + c];
+    }
+  }
+  estimate.standard_error = glm::sqrt(estimate.standard_error) / static_cast<float>(pixels);
+  return estimate;
+}
+
+class Agreement : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(Agreement, PathHasTheMeanOfNaive) {
+  SceneBuilder builder;
+  GetParam().build(builder);
+  const Stage stage(builder.scene);
+  Camera camera = look_at(Vec3(0.4f, 0.6f, 2.9f), Vec3(0, -0.1f, 0), 1.1f);
+  RenderSettings settings;
+  settings.width = settings.height = 32;
+  settings.samples_per_pixel = 1024;
+  settings.filter = FilterKind::box;
+  settings.max_bounces = 200;
+  const RenderResult path = render(stage.context(), camera, settings);
+  settings.integrator = IntegratorKind::naive;
+  settings.seed = 1;  // independent of the other
+  const RenderResult naive = render(stage.context(), camera, settings);
+  EXPECT_EQ(path.non_finite_samples + naive.non_finite_samples, 0u);
+  const Estimate a = image_mean(path.film), b = image_mean(naive.film);
+  for (int c = 0; c < 3; ++c) {
+    const float error = std::hypot(a.standard_error[c], b.standard_error[c]);
+    EXPECT_LT(error, 0.004f * b.mean[c]) << "too noisy to tell";
+    EXPECT_NEAR(a.mean[c], b.mean[c], 5.5f * error) << "channel " << c << ", ratio " << a.mean[c] / b.mean[c];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, testing::ValuesIn(scenes),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace candil::test
