@@ -19,27 +19,6 @@ SurfacePoint point_on_triangle(const Scene& scene, std::uint32_t instance, std::
   return make_surface_point(scene, hit);
 }
 
-float triangle_area(const Mesh& mesh, const Affine& to_world, const Triangle& t) {
-  const Vec3 a = mesh.positions[t.x];
-  const Vec3 edge_b = to_world.vector(mesh.positions[t.y] - a), edge_c = to_world.vector(mesh.positions[t.z] - a);
-  return 0.5f * glm::length(glm::cross(edge_b, edge_c));
-}
-
-/// Mean luminance of what one side emits, from a fixed grid of points on the triangle.
-float mean_emission(const Scene& scene, std::uint32_t instance, std::uint32_t mesh, std::uint32_t triangle) {
-  const Material& material = scene.materials[scene.meshes[mesh].material];
-  const bool varies = material.emission_texture.is_used() || material.is_unlit || material.alpha_mode != AlphaMode::opaque;
-  const int side = varies ? 4 : 1;
-  float sum = 0;
-  for (int i = 0; i < side * side; ++i) {
-    const Vec2 u((static_cast<float>(i % side) + 0.5f) / static_cast<float>(side),
-                 (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side));
-    const SurfacePoint point = point_on_triangle(scene, instance, mesh, triangle, sample_triangle(u));
-    sum += luminance(emitted_radiance(scene, point, true)) * alpha_coverage(scene, material, point.uv, point.color);
-  }
-  return sum / static_cast<float>(side * side);
-}
-
 }  // namespace
 
 LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(scene.environment) {
@@ -54,11 +33,8 @@ LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(sce
       mesh_first_light_.push_back(material.is_emissive() ? static_cast<std::uint32_t>(triangles_.size()) : invalid_id);
       if (!material.is_emissive()) continue;
       for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const float area = triangle_area(mesh, instance.to_world, mesh.triangles[t]);
-        const float sides = material.is_double_sided ? 2.0f : 1.0f;
-        const bool is_usable = area > 0 && area < infinity;
-        triangles_.push_back({i, m, t, is_usable ? area : 0.0f});
-        powers.push_back(is_usable ? sides * pi * area * mean_emission(scene, i, m, t) : 0.0f);
+        const EmissiveTriangle& light = triangles_.emplace_back(emissive_triangle(i, m, t));
+        powers.push_back((light.is_double_sided ? 2 : 1) * pi * light.area * mean_luminance(light));
       }
     }
   }
@@ -69,6 +45,49 @@ LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(sce
     powers.push_back(environment_.mean_luminance() * 4 * pi * pi * sqr(scene_radius));
   }
   table_ = AliasTable(powers);
+}
+
+LightSampler::EmissiveTriangle LightSampler::emissive_triangle(std::uint32_t instance, std::uint32_t mesh_id,
+                                                                std::uint32_t triangle) const {
+  const Mesh& mesh = scene_.meshes[mesh_id];
+  const Material& material = scene_.materials[mesh.material];
+  const Affine& to_world = scene_.instances[instance].to_world;
+  const Triangle t = mesh.triangles[triangle];
+  const SurfacePoint center = point_on_triangle(scene_, instance, mesh_id, triangle, Vec2(1 / 3.0f));
+  EmissiveTriangle light;
+  light.corner = to_world.point(mesh.positions[t.x]);
+  light.edge_b = to_world.vector(mesh.positions[t.y] - mesh.positions[t.x]);
+  light.edge_c = to_world.vector(mesh.positions[t.z] - mesh.positions[t.x]);
+  light.normal = center.normal_geometric;
+  const float area = 0.5f * glm::length(glm::cross(light.edge_b, light.edge_c));
+  light.area = area < infinity ? area : 0;
+  light.offset = center.offset;
+  light.instance = instance, light.mesh = mesh_id, light.triangle = triangle;
+  light.is_uniform = !material.emission_texture.is_used() && !material.is_unlit &&
+                     material.alpha_mode == AlphaMode::opaque;
+  light.is_double_sided = material.is_double_sided;
+  light.radiance = material.emission;
+  return light;
+}
+
+Vec3 LightSampler::emission_at(const EmissiveTriangle& light, Vec2 barycentric, bool is_front) const {
+  if (light.is_uniform) return light.radiance;
+  const SurfacePoint on = point_on_triangle(scene_, light.instance, light.mesh, light.triangle, barycentric);
+  const Material& material = scene_.materials[on.material];
+  return emitted_radiance(scene_, on, is_front) * alpha_coverage(scene_, material, on.uv, on.color);
+}
+
+/// Mean luminance of what the front emits, from a fixed grid of points on the triangle.
+float LightSampler::mean_luminance(const EmissiveTriangle& light) const {
+  const int side = light.is_uniform ? 1 : 4;
+  float sum = 0;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const Vec2 u = (Vec2(column, row) + 0.5f) / static_cast<float>(side);
+      sum += luminance(emission_at(light, sample_triangle(u), true));
+    }
+  }
+  return sum / static_cast<float>(side * side);
 }
 
 std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, float u_pick, Vec2 u) const {
@@ -88,23 +107,24 @@ std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, float 
 
 std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from,
                                                          Vec2 u) const {
-  const SurfacePoint on = point_on_triangle(scene_, light.instance, light.mesh, light.triangle, sample_triangle(u));
-  const Vec3 towards = on.position - from.position;
+  const Vec2 barycentric = sample_triangle(u);
+  const Vec3 on = light.corner + barycentric.x * light.edge_b + barycentric.y * light.edge_c;
+  const Vec3 towards = on - from.position;
   const float distance_squared = length_squared(towards);
   if (!(distance_squared > 0)) return std::nullopt;
   LightSample sample;
-  sample.wi = towards / glm::sqrt(distance_squared);
-  const float cos_light = -glm::dot(sample.wi, on.normal_geometric);
-  const Material& material = scene_.materials[on.material];
-  if (cos_light == 0 || light.area == 0 || (cos_light < 0 && !material.is_double_sided)) return std::nullopt;
-  sample.radiance = emitted_radiance(scene_, on, cos_light > 0) *
-                    alpha_coverage(scene_, material, on.uv, on.color);
+  sample.wi = towards * (1 / glm::sqrt(distance_squared));
+  const float cos_light = -glm::dot(sample.wi, light.normal);
+  const bool is_front = cos_light > 0;
+  if (cos_light == 0 || light.area == 0 || (!is_front && !light.is_double_sided)) return std::nullopt;
+  sample.radiance = emission_at(light, barycentric, is_front);
   sample.pdf = distance_squared / (std::abs(cos_light) * light.area);
+  // Both ends step off their surface, towards each other's side.
   const Vec3 origin = offset_origin(from, sample.wi);
-  const Vec3 ray = offset_origin(on, -sample.wi) - origin;
+  const Vec3 ray = on + (is_front ? light.offset : -light.offset) * light.normal - origin;
   const float length = glm::length(ray);
   if (!(length > 0)) return std::nullopt;
-  sample.shadow_ray = {origin, ray / length, length};
+  sample.shadow_ray = {origin, ray * (1 / length), length};
   return sample;
 }
 

@@ -40,10 +40,20 @@ class LightSampler {
   const EnvironmentLight& environment() const { return environment_; }
 
  private:
+  /// Everything in world space, so that a sample of a plain emitter reads nothing else.
   struct EmissiveTriangle {
+    Vec3 corner, edge_b, edge_c;
+    Vec3 normal;       // unit, front side
+    Vec3 radiance;     // of the front, where it is the same all over
+    float area;        // m2; 0: degenerate, never sampled
+    float offset;      // metres, as SurfacePoint::offset
     std::uint32_t instance, mesh, triangle;
-    float area;  // m2, world space
+    bool is_uniform;   // no texture, no alpha, no vertex colour decides what is emitted
+    bool is_double_sided;
   };
+  EmissiveTriangle emissive_triangle(std::uint32_t instance, std::uint32_t mesh, std::uint32_t triangle) const;
+  float mean_luminance(const EmissiveTriangle& light) const;
+  Vec3 emission_at(const EmissiveTriangle& light, Vec2 barycentric, bool is_front) const;
   std::optional<LightSample> sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from, Vec2 u) const;
   std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from) const;
   std::optional<LightSample> sample_environment(const SurfacePoint& from, Vec2 u) const;

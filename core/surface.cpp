@@ -10,7 +10,7 @@ T interpolate(const std::vector<T>& values, const Triangle& t, Vec3 weights) {
 
 Vec3 normalize_or(Vec3 v, Vec3 otherwise) {
   const float squared = length_squared(v);
-  return squared > 0 && squared < infinity ? v / glm::sqrt(squared) : otherwise;
+  return squared > 0 && squared < infinity ? v * (1 / glm::sqrt(squared)) : otherwise;
 }
 
 float largest_coordinate(Vec3 a, Vec3 b, Vec3 c) {

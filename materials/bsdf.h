@@ -38,8 +38,9 @@ class Bsdf {
   Frame frame_;             // z: shading normal, on the side of wo
   Vec3 geometric_normal_;   // on the side of wo
   float dielectric_weight_ = 0;  // 0: opaque lobes only; 1: dielectric lobes only
-  OpaqueLobes opaque_;
-  DielectricLobes dielectric_;
+  // Each is there when the weight gives it a share; most surfaces never pay for the other.
+  std::optional<OpaqueLobes> opaque_;
+  std::optional<DielectricLobes> dielectric_;
 };
 
 /// The closure of the glTF material at a point, seen from `wo`.

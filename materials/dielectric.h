@@ -27,7 +27,6 @@ struct DielectricParameters {
 
 class DielectricLobes {
  public:
-  DielectricLobes() = default;
   DielectricLobes(const DielectricParameters& parameters, const GgxAlbedo& ggx, Vec3 wo);
 
   BsdfEval eval(Vec3 wo, Vec3 wi) const;

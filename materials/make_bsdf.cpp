@@ -48,7 +48,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo);
   Bsdf bsdf(normal, normal_geometric);
   if (material.is_unlit) {
-    bsdf.opaque_ = OpaqueLobes({}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits
+    bsdf.opaque_.emplace(OpaqueParameters{}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits
     return bsdf;
   }
 
@@ -74,7 +74,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   if (bsdf.dielectric_weight_ < 1) {
     // What does not transmit: metal and coated diffuse in proportion.
     const float metal = metallic / (1 - bsdf.dielectric_weight_);
-    bsdf.opaque_ = OpaqueLobes({roughness, metal, base, f0, f90}, tables.ggx(), local_o);
+    bsdf.opaque_.emplace(OpaqueParameters{roughness, metal, base, f0, f90}, tables.ggx(), local_o);
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;
@@ -86,7 +86,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     p.f0 = f0;
     p.f90 = f90;
     p.table = tables.dielectric(point.material);
-    bsdf.dielectric_ = DielectricLobes(p, tables.ggx(), local_o);
+    bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
   }
   return bsdf;
 }

@@ -24,7 +24,6 @@ struct OpaqueParameters {
 
 class OpaqueLobes {
  public:
-  OpaqueLobes() = default;
   OpaqueLobes(const OpaqueParameters& parameters, const GgxAlbedo& table, Vec3 wo);
 
   BsdfEval eval(Vec3 wo, Vec3 wi) const;
