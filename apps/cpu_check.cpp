@@ -1,6 +1,7 @@
 // Says in one line why the program cannot run on a processor older than the one it was compiled for, instead of
-// dying of an illegal instruction. This file alone is compiled for any x86-64 (apps/CMakeLists.txt); the check runs before
-// the initialisers of every other file, and calls nothing that those could have compiled for the newer processor.
+// dying of an illegal instruction. This file alone is compiled for any x86-64 (apps/CMakeLists.txt); the check runs
+// before the initialisers of every other file, and calls nothing that those could have compiled for the newer
+// processor.
 
 #if defined(CANDIL_X86_64_LEVEL)
 

@@ -61,7 +61,7 @@ float parse_float(const std::string& option, const std::string& text, double low
 
 void add_sampling_arguments(Arguments& arguments, RenderSettings& settings) {
   arguments.group("Quality");
-  arguments.add("--spp", "N", "Samples per pixel (default 128; with --time as many as fit)",
+  arguments.add("--spp", "N", "Samples per pixel (default 64; with --time as many as fit)",
                 [&](const auto& option, const auto& text) {
                   settings.samples_per_pixel = static_cast<std::uint32_t>(parse_integer(option, text, 1, max_samples));
                 });
@@ -192,7 +192,7 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
 
 void check_render_arguments(RenderOptions& options) {
   RenderSettings& settings = options.settings;
-  constexpr std::uint32_t default_samples = 128;
+  constexpr std::uint32_t default_samples = 64;
   if (settings.samples_per_pixel == 0)
     settings.samples_per_pixel = settings.time_limit_seconds > 0 ? max_samples : default_samples;
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

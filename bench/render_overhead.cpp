@@ -1,5 +1,6 @@
-// How close a render comes to the limit that the accelerator sets: rays per second of whole renders beside a bare replay of
-// exactly the rays that they shot. Prints the median of several interleaved rounds, so that drift of the machine cancels.
+// How close a render comes to the limit that the accelerator sets: rays per second of whole renders beside a bare
+// replay of exactly the rays that they shot. Prints the median of several interleaved rounds, so that drift of the
+// machine cancels.
 //   render_overhead SCENE [SAMPLES_PER_PIXEL [ROUNDS]]
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -114,12 +115,15 @@ int main(int argc, char** argv) {
         replaying.push_back(seconds_of([&] { hits += replay(*accelerator, recorder.recording(), threads); }));
         ratios.push_back(replaying.back() / rendering.back());
       }
-      std::printf("%d thread%s: render %.2f Mrays/s (%.2f Msamples/s), bare replay %.2f Mrays/s, ratio %.3f (%llu hits)\n",
-                  threads, threads > 1 ? "s" : "", ray_count / median(rendering) / 1e6,
-                  65536.0 * settings.samples_per_pixel / median(rendering) / 1e6, ray_count / median(replaying) / 1e6,
-                  median(ratios), static_cast<unsigned long long>(hits));
-      if (threads == 1) one_thread = median(rendering);
-      else std::printf("2 threads render %.2f times as fast as 1\n", one_thread / median(rendering));
+      std::printf(
+          "%d thread%s: render %.2f Mrays/s (%.2f Msamples/s), bare replay %.2f Mrays/s, ratio %.3f (%llu hits)\n",
+          threads, threads > 1 ? "s" : "", ray_count / median(rendering) / 1e6,
+          65536.0 * settings.samples_per_pixel / median(rendering) / 1e6, ray_count / median(replaying) / 1e6,
+          median(ratios), static_cast<unsigned long long>(hits));
+      if (threads == 1)
+        one_thread = median(rendering);
+      else
+        std::printf("2 threads render %.2f times as fast as 1\n", one_thread / median(rendering));
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());

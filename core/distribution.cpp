@@ -40,7 +40,9 @@ Segment sample_cdf(std::span<const float> cdf, float u) {
 }  // namespace
 
 Distribution2D::Distribution2D(std::span<const float> weights, int width, int height)
-    : width_(width), height_(height), row_cdfs_(static_cast<std::size_t>(height) * (width + 1)),
+    : width_(width),
+      height_(height),
+      row_cdfs_(static_cast<std::size_t>(height) * (width + 1)),
       column_cdf_(static_cast<std::size_t>(height) + (height > 0)) {
   if (is_empty()) return;
   assert(weights.size() == static_cast<std::size_t>(width) * height);

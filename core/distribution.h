@@ -27,7 +27,7 @@ class Distribution2D {
 
  private:
   int width_ = 0, height_ = 0;
-  std::vector<float> row_cdfs_;   // height x (width + 1), each from 0 to 1
+  std::vector<float> row_cdfs_;    // height x (width + 1), each from 0 to 1
   std::vector<float> column_cdf_;  // height + 1
 };
 
@@ -49,7 +49,7 @@ class AliasTable {
 
  private:
   struct Cell {
-    float threshold;      // of choosing the cell itself
+    float threshold;  // of choosing the cell itself
     std::uint32_t alias;
     float probability;
   };

@@ -33,12 +33,8 @@ void query_occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
 #else
 using QueryContext = RTCIntersectContext;
 void init_context(QueryContext& context) { rtcInitIntersectContext(&context); }
-void query_intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
-  rtcIntersect1(scene, &context, &ray);
-}
-void query_occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
-  rtcOccluded1(scene, &context, &ray);
-}
+void query_intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
+void query_occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
 #endif
 
 /// Owns one reference to an Embree object.
@@ -87,9 +83,8 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   const Vec3 normal(RTCHitN_Ng_x(hit, n, 0), RTCHitN_Ng_y(hit, n, 0), RTCHitN_Ng_z(hit, n, 0));
   RTCRayN* ray = arguments->ray;
   const Vec3 direction(RTCRayN_dir_x(ray, n, 0), RTCRayN_dir_y(ray, n, 0), RTCRayN_dir_z(ray, n, 0));
-  const std::uint32_t instance = record.instance != invalid_id
-                                     ? record.instance
-                                     : (*record.instance_of_top_id)[RTCHitN_instID(hit, n, 0, 0)];
+  const std::uint32_t instance =
+      record.instance != invalid_id ? record.instance : (*record.instance_of_top_id)[RTCHitN_instID(hit, n, 0, 0)];
   const Hit candidate{RTCRayN_tfar(ray, n, 0),
                       {RTCHitN_u(hit, n, 0), RTCHitN_v(hit, n, 0)},
                       instance,
@@ -161,7 +156,7 @@ class EmbreeAccelerator final : public Accelerator {
   HitFilter filter_;
   std::atomic<std::ptrdiff_t> memory_{0};  // before the device, which reports to it until its end
   Device device_;
-  std::vector<EmbreeScene> object_scenes_;       // per object; empty where it stands in the top-level scene
+  std::vector<EmbreeScene> object_scenes_;  // per object; empty where it stands in the top-level scene
   EmbreeScene top_;
   std::vector<std::uint32_t> instance_of_top_id_;  // per geometry id of the top-level scene
   std::vector<GeometryRecord> records_;            // per geometry id of the top-level scene
@@ -263,7 +258,9 @@ std::unique_ptr<Accelerator> make_embree_accelerator(const Scene& scene, HitFilt
 std::string embree_version() {
   const Device device(rtcNewDevice("threads=1"));
   if (!device.get()) return "unknown";
-  const auto part = [&](RTCDeviceProperty property) { return std::to_string(rtcGetDeviceProperty(device.get(), property)); };
+  const auto part = [&](RTCDeviceProperty property) {
+    return std::to_string(rtcGetDeviceProperty(device.get(), property));
+  };
   return part(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." + part(RTC_DEVICE_PROPERTY_VERSION_MINOR) + "." +
          part(RTC_DEVICE_PROPERTY_VERSION_PATCH);
 }

@@ -13,8 +13,8 @@ Vec3 emitted_radiance(const Scene& scene, const SurfacePoint& point, bool is_fro
 /// Linear RGBA base colour: factor times texture times vertex colour.
 Vec4 base_color(const Scene& scene, const Material& material, const Vec2 (&uv)[2], Vec4 vertex_color);
 
-/// Fraction of the surface that is there, 0 to 1 (glTF 2.0, section 3.9.4): 1 for OPAQUE, 0 or 1 for MASK, the base colour's
-/// alpha for BLEND.
+/// Fraction of the surface that is there, 0 to 1 (glTF 2.0, section 3.9.4): 1 for OPAQUE, 0 or 1 for MASK, the base
+/// colour's alpha for BLEND.
 float alpha_coverage(const Scene& scene, const Material& material, const Vec2 (&uv)[2], Vec4 vertex_color);
 
 }  // namespace candil

@@ -24,8 +24,8 @@ Vec3 lookup(const Image& image, Vec2 uv) {
                   glm::mix(texel(column, row + 1), texel(column + 1, row + 1), fx), fy);
 }
 
-/// Weight of every texel: mean luminance of the bilinear image over the texel's square times the texel's solid angle. The
-/// mean is a 3 x 3 stencil (1/8, 3/4, 1/8 each way), which is positive wherever the interpolated image is.
+/// Weight of every texel: mean luminance of the bilinear image over the texel's square times the texel's solid angle.
+/// The mean is a 3 x 3 stencil (1/8, 3/4, 1/8 each way), which is positive wherever the interpolated image is.
 std::vector<float> sampling_weights(const Image& image) {
   const int width = image.width, height = image.height;
   const auto stencil = [](float before, float here, float after) { return 0.125f * (before + after) + 0.75f * here; };
@@ -54,7 +54,8 @@ std::vector<float> sampling_weights(const Image& image) {
 }  // namespace
 
 EnvironmentLight::EnvironmentLight(const Environment& environment)
-    : environment_(environment), cos_rotation_(std::cos(environment.rotation)),
+    : environment_(environment),
+      cos_rotation_(std::cos(environment.rotation)),
       sin_rotation_(std::sin(environment.rotation)) {
   if (!is_present()) return;
   mean_luminance_ = luminance(environment.tint);

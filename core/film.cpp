@@ -21,7 +21,7 @@ void PairwiseSum::add(const PixelSums& sample) {
 }
 
 PixelSums PairwiseSum::total() const {
-  PixelSums sum;
+  PixelSums sum{};
   for (int level = 0; level < max_levels; ++level) {
     if ((count_ >> level) & 1) sum += levels_[level];
   }
@@ -57,7 +57,7 @@ void Film::end_block(std::uint32_t samples) {
 void Film::drop_block() { block_.clear(); }
 
 PixelSums Film::total(std::size_t pixel) const {
-  PixelSums sum;
+  PixelSums sum{};
   for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) sum += level->sums[pixel];
   return sum;
 }

@@ -8,11 +8,12 @@
 
 namespace candil {
 
-/// Sums over a set of samples of one pixel; a value type that adds up.
+/// Sums over a set of samples of one pixel; a value type that adds up. PixelSums{} is zero; without the braces it has no
+/// value, so that arrays of it cost nothing to make.
 struct PixelSums {
-  Vec3 radiance{0.0f};
-  float alpha = 0;
-  Vec3 radiance_squared{0.0f};
+  Vec3 radiance;
+  float alpha;
+  Vec3 radiance_squared;
 
   PixelSums& operator+=(const PixelSums& other) {
     radiance += other.radiance, alpha += other.alpha, radiance_squared += other.radiance_squared;
@@ -31,12 +32,13 @@ class PairwiseSum {
 
  private:
   static constexpr int max_levels = 32;
-  PixelSums levels_[max_levels];
+  PixelSums levels_[max_levels];  // those of the set bits of count_ have a value
   std::uint32_t count_ = 0;
 };
 
-/// Samples of the next block of a render that has `samples_done` and wants `samples_wanted` (more) samples per pixel: a power
-/// of two that divides `samples_done`, 1 at first and 16 at the most. A picture appears at once, and an interrupt is never far.
+/// Samples of the next block of a render that has `samples_done` and wants `samples_wanted` (more) samples per pixel: a
+/// power of two that divides `samples_done`, 1 at first and 16 at the most. A picture appears at once, and an interrupt
+/// is never far.
 std::uint32_t next_block_size(std::uint32_t samples_done, std::uint32_t samples_wanted);
 
 /// Float film of width x height pixels. Blocks of samples are given to it in the order of their sample index.

@@ -19,9 +19,7 @@ struct Frame {
     bitangent = {b, sign + n.y * n.y * a, -n.y};
   }
 
-  Vec3 to_local(Vec3 v) const {
-    return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)};
-  }
+  Vec3 to_local(Vec3 v) const { return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)}; }
   Vec3 to_world(Vec3 v) const { return v.x * tangent + v.y * bitangent + v.z * normal; }
 };
 

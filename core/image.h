@@ -17,19 +17,19 @@ struct Image {
   Image() = default;
   /// Black.
   Image(int columns, int rows, int samples_per_pixel)
-      : width(columns), height(rows), channels(samples_per_pixel),
+      : width(columns),
+        height(rows),
+        channels(samples_per_pixel),
         pixels(static_cast<std::size_t>(columns) * rows * samples_per_pixel) {}
 
   bool empty() const { return pixels.empty(); }
   float* pixel(int x, int y) { return &pixels[(static_cast<std::size_t>(y) * width + x) * channels]; }
-  const float* pixel(int x, int y) const {
-    return &pixels[(static_cast<std::size_t>(y) * width + x) * channels];
-  }
+  const float* pixel(int x, int y) const { return &pixels[(static_cast<std::size_t>(y) * width + x) * channels]; }
 };
 
-/// A texture's pixels as the file stores them (not yet linear): RGBA, rows from top to bottom. Files of 8 bits a channel
-/// stay at 8 bits, all others become float; exactly one of the two vectors is filled. What was absent in the file is
-/// filled as glTF wants: one channel is copied to R, G and B, alpha is 1.
+/// A texture's pixels as the file stores them (not yet linear): RGBA, rows from top to bottom. Files of 8 bits a
+/// channel stay at 8 bits, all others become float; exactly one of the two vectors is filled. What was absent in the
+/// file is filled as glTF wants: one channel is copied to R, G and B, alpha is 1.
 struct TextureImage {
   std::string name;  ///< File name or place in the scene file, for messages and `info`.
   int width = 0, height = 0;

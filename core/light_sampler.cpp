@@ -48,7 +48,7 @@ LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(sce
 }
 
 LightSampler::EmissiveTriangle LightSampler::emissive_triangle(std::uint32_t instance, std::uint32_t mesh_id,
-                                                                std::uint32_t triangle) const {
+                                                               std::uint32_t triangle) const {
   const Mesh& mesh = scene_.meshes[mesh_id];
   const Material& material = scene_.materials[mesh.material];
   const Affine& to_world = scene_.instances[instance].to_world;
@@ -63,8 +63,8 @@ LightSampler::EmissiveTriangle LightSampler::emissive_triangle(std::uint32_t ins
   light.area = area < infinity ? area : 0;
   light.offset = center.offset;
   light.instance = instance, light.mesh = mesh_id, light.triangle = triangle;
-  light.is_uniform = !material.emission_texture.is_used() && !material.is_unlit &&
-                     material.alpha_mode == AlphaMode::opaque;
+  light.is_uniform =
+      !material.emission_texture.is_used() && !material.is_unlit && material.alpha_mode == AlphaMode::opaque;
   light.is_double_sided = material.is_double_sided;
   light.radiance = material.emission;
   return light;
@@ -93,45 +93,39 @@ float LightSampler::mean_luminance(const EmissiveTriangle& light) const {
 std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, float u_pick, Vec2 u) const {
   const AliasTable::Sample picked = table_.sample(u_pick);
   const std::size_t first_punctual = triangles_.size();
-  std::optional<LightSample> sample;
-  if (picked.index < first_punctual) {
-    sample = sample_emissive(triangles_[picked.index], from, u);
-  } else if (picked.index < first_punctual + scene_.punctual_lights.size()) {
-    sample = sample_punctual(scene_.punctual_lights[picked.index - first_punctual], from);
-  } else {
-    sample = sample_environment(from, u);
-  }
-  if (sample) sample->pdf *= picked.probability;
-  return sample;
+  const float choice = picked.probability;
+  if (picked.index < first_punctual) return sample_emissive(triangles_[picked.index], from, u, choice);
+  const std::size_t punctual = picked.index - first_punctual;
+  if (punctual < scene_.punctual_lights.size()) return sample_punctual(scene_.punctual_lights[punctual], from, choice);
+  return sample_environment(from, u, choice);
 }
 
 std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from,
-                                                         Vec2 u) const {
+                                                         Vec2 u, float choice) const {
   const Vec2 barycentric = sample_triangle(u);
   const Vec3 on = light.corner + barycentric.x * light.edge_b + barycentric.y * light.edge_c;
   const Vec3 towards = on - from.position;
   const float distance_squared = length_squared(towards);
   if (!(distance_squared > 0)) return std::nullopt;
-  LightSample sample;
-  sample.wi = towards * (1 / glm::sqrt(distance_squared));
-  const float cos_light = -glm::dot(sample.wi, light.normal);
+  const Vec3 wi = towards * (1 / glm::sqrt(distance_squared));
+  const float cos_light = -glm::dot(wi, light.normal);
   const bool is_front = cos_light > 0;
   if (cos_light == 0 || light.area == 0 || (!is_front && !light.is_double_sided)) return std::nullopt;
-  sample.radiance = emission_at(light, barycentric, is_front);
-  sample.pdf = distance_squared / (std::abs(cos_light) * light.area);
   // Both ends step off their surface, towards each other's side.
-  const Vec3 origin = offset_origin(from, sample.wi);
+  const Vec3 origin = offset_origin(from, wi);
   const Vec3 ray = on + (is_front ? light.offset : -light.offset) * light.normal - origin;
   const float length = glm::length(ray);
   if (!(length > 0)) return std::nullopt;
-  sample.shadow_ray = {origin, ray * (1 / length), length};
-  return sample;
+  return LightSample{wi, emission_at(light, barycentric, is_front),
+                     choice * distance_squared / (std::abs(cos_light) * light.area),
+                     Ray{origin, ray * (1 / length), length}};
 }
 
-std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& light, const SurfacePoint& from) const {
+std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& light, const SurfacePoint& from,
+                                                         float choice) const {
   LightSample sample;
   sample.is_delta = true;
-  sample.pdf = 1;
+  sample.pdf = choice;
   float distance = infinity;
   if (light.kind == PunctualKind::directional) {
     sample.wi = -light.direction;
@@ -148,20 +142,20 @@ std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& li
   return sample;
 }
 
-std::optional<LightSample> LightSampler::sample_environment(const SurfacePoint& from, Vec2 u) const {
+std::optional<LightSample> LightSampler::sample_environment(const SurfacePoint& from, Vec2 u, float choice) const {
   const EnvironmentLight::Sample direction = environment_.sample(u);
   if (!(direction.pdf > 0)) return std::nullopt;
   LightSample sample;
   sample.wi = direction.direction;
   sample.radiance = direction.radiance;
-  sample.pdf = direction.pdf;
+  sample.pdf = choice * direction.pdf;
   sample.shadow_ray = {offset_origin(from, sample.wi), sample.wi};
   return sample;
 }
 
 float LightSampler::pdf_hit(Vec3 from_position, const SurfacePoint& on) const {
-  const std::uint32_t slot = instance_offset_[on.instance] + on.mesh -
-                             scene_.objects[scene_.instances[on.instance].object].first_mesh;
+  const std::uint32_t slot =
+      instance_offset_[on.instance] + on.mesh - scene_.objects[scene_.instances[on.instance].object].first_mesh;
   if (mesh_first_light_[slot] == invalid_id) return 0;
   const std::uint32_t light = mesh_first_light_[slot] + on.triangle;
   const Vec3 towards = on.position - from_position;

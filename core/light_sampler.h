@@ -12,15 +12,15 @@ namespace candil {
 
 struct LightSample {
   Vec3 wi{0.0f};        ///< Unit, from the surface towards the light.
-  Vec3 radiance{0.0f};  ///< W/(sr m2) arriving if nothing is in between; for delta lights the irradiance on a surface that
-                        ///< faces the light. May be black.
-  float pdf = 0;        ///< 1/sr, the choice of the light included; for delta lights the probability of that choice alone.
-  Ray shadow_ray;       ///< From the surface, offset, to the light: occluded means in shadow.
+  Vec3 radiance{0.0f};  ///< W/(sr m2) arriving if nothing is in between; for delta lights the irradiance on a surface
+                        ///< that faces the light. May be black.
+  float pdf = 0;   ///< 1/sr, the choice of the light included; for delta lights the probability of that choice alone.
+  Ray shadow_ray;  ///< From the surface, offset, to the light: occluded means in shadow.
   bool is_delta = false;  ///< No other strategy can find this light: no MIS weight.
 };
 
-/// Picks one light with probability proportional to its estimated power (alias table), then a point on it or a direction
-/// to it. The shading point is part of every call so that a light tree can take its place.
+/// Picks one light with probability proportional to its estimated power (alias table), then a point on it or a
+/// direction to it. The shading point is part of every call so that a light tree can take its place.
 class LightSampler {
  public:
   explicit LightSampler(const Scene& scene);
@@ -43,27 +43,29 @@ class LightSampler {
   /// Everything in world space, so that a sample of a plain emitter reads nothing else.
   struct EmissiveTriangle {
     Vec3 corner, edge_b, edge_c;
-    Vec3 normal;       // unit, front side
-    Vec3 radiance;     // of the front, where it is the same all over
-    float area;        // m2; 0: degenerate, never sampled
-    float offset;      // metres, as SurfacePoint::offset
+    Vec3 normal;    // unit, front side
+    Vec3 radiance;  // of the front, where it is the same all over
+    float area;     // m2; 0: degenerate, never sampled
+    float offset;   // metres, as SurfacePoint::offset
     std::uint32_t instance, mesh, triangle;
-    bool is_uniform;   // no texture, no alpha, no vertex colour decides what is emitted
+    bool is_uniform;  // no texture, no alpha, no vertex colour decides what is emitted
     bool is_double_sided;
   };
   EmissiveTriangle emissive_triangle(std::uint32_t instance, std::uint32_t mesh, std::uint32_t triangle) const;
   float mean_luminance(const EmissiveTriangle& light) const;
   Vec3 emission_at(const EmissiveTriangle& light, Vec2 barycentric, bool is_front) const;
-  std::optional<LightSample> sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from, Vec2 u) const;
-  std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from) const;
-  std::optional<LightSample> sample_environment(const SurfacePoint& from, Vec2 u) const;
+  // `choice` is the probability with which the light was chosen.
+  std::optional<LightSample> sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from, Vec2 u,
+                                             float choice) const;
+  std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from, float choice) const;
+  std::optional<LightSample> sample_environment(const SurfacePoint& from, Vec2 u, float choice) const;
 
   const Scene& scene_;
   EnvironmentLight environment_;
   std::vector<EmissiveTriangle> triangles_;
   // Light ids: emissive triangles first, then punctual lights, then the environment (if any).
   AliasTable table_;
-  std::vector<std::uint32_t> instance_offset_;  // per instance, into mesh_first_light_
+  std::vector<std::uint32_t> instance_offset_;   // per instance, into mesh_first_light_
   std::vector<std::uint32_t> mesh_first_light_;  // per mesh of an instance, first light id or invalid_id
 };
 

@@ -1,5 +1,5 @@
-/// Pixel reconstruction by importance sampling: the filter decides where in and around its pixel a sample falls, so that
-/// each sample touches one pixel only (Ernst, Stamminger and Greiner 2006, "Filter importance sampling").
+/// Pixel reconstruction by importance sampling: the filter decides where in and around its pixel a sample falls, so
+/// that each sample touches one pixel only (Ernst, Stamminger and Greiner 2006, "Filter importance sampling").
 #pragma once
 
 #include <array>

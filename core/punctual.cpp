@@ -29,9 +29,12 @@ Vec3 punctual_irradiance(const PunctualLight& light, Vec3 wi, float distance) {
 float punctual_power(const PunctualLight& light, float scene_radius) {
   const float intensity = luminance(light.intensity);
   switch (light.kind) {
-    case PunctualKind::point: return 4 * pi * intensity;
-    case PunctualKind::spot: return 2 * pi * (1 - std::cos(0.5f * (light.inner_cone + light.outer_cone))) * intensity;
-    case PunctualKind::directional: return pi * sqr(scene_radius) * intensity;
+    case PunctualKind::point:
+      return 4 * pi * intensity;
+    case PunctualKind::spot:
+      return 2 * pi * (1 - std::cos(0.5f * (light.inner_cone + light.outer_cone))) * intensity;
+    case PunctualKind::directional:
+      return pi * sqr(scene_radius) * intensity;
   }
   return 0;
 }

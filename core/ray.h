@@ -13,11 +13,11 @@ struct Ray {
 
 /// Only ids and the place on the primitive; make_surface_point() looks up the rest for the hits that are shaded.
 struct Hit {
-  float t = infinity;             ///< Metres along the ray.
-  Vec2 barycentric{0.0f};         ///< Weights of the triangle's second and third vertex.
-  std::uint32_t instance = 0;     ///< Into Scene::instances.
-  std::uint32_t mesh = 0;         ///< Into Scene::meshes.
-  std::uint32_t triangle = 0;     ///< Into Mesh::triangles.
+  float t = infinity;          ///< Metres along the ray.
+  Vec2 barycentric{0.0f};      ///< Weights of the triangle's second and third vertex.
+  std::uint32_t instance = 0;  ///< Into Scene::instances.
+  std::uint32_t mesh = 0;      ///< Into Scene::meshes.
+  std::uint32_t triangle = 0;  ///< Into Mesh::triangles.
 };
 
 }  // namespace candil

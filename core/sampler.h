@@ -1,8 +1,8 @@
 /// Random numbers as a pure function of (seed, pixel, sample index, dimension): Owen-scrambled Sobol points.
 ///
-/// Every dimension (a pair of numbers) is the two-dimensional Sobol sequence, with its own scrambling and its own shuffled
-/// order of the samples, so that the pairs are stratified each by itself and independent of each other (Burley 2020,
-/// "Practical Hash-based Owen Scrambling", JCGT 9(4)). Since there is no state, nothing depends on who asks when.
+/// Every dimension (a pair of numbers) is the two-dimensional Sobol sequence, with its own scrambling and its own
+/// shuffled order of the samples, so that the pairs are stratified each by itself and independent of each other (Burley
+/// 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Since there is no state, nothing depends on who asks when.
 #pragma once
 
 #include "core/hash.h"
@@ -48,16 +48,15 @@ class Sampler {
     const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
     const std::uint32_t index = shuffled_index(dimension_seed);
     const std::uint32_t x = laine_karras_permutation(index, dimension_seed * 0x9e3779b9U);
-    const std::uint32_t y = laine_karras_permutation(sobol_second_dimension_reversed(index),
-                                                     dimension_seed * 0xc2b2ae35U);
+    const std::uint32_t y =
+        laine_karras_permutation(sobol_second_dimension_reversed(index), dimension_seed * 0xc2b2ae35U);
     return {to_unit_float(reverse_bits(x)), to_unit_float(reverse_bits(y))};
   }
 
   /// The first number of sample_2d(dimension).
   float sample_1d(std::uint32_t dimension) const {
     const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
-    const std::uint32_t x =
-        laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * 0x9e3779b9U);
+    const std::uint32_t x = laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * 0x9e3779b9U);
     return to_unit_float(reverse_bits(x));
   }
 

@@ -17,12 +17,12 @@ namespace candil {
 struct Mesh {
   std::string name;
   std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;  ///< Counter-clockwise seen from the front.
-  std::vector<Vec3> normals;        ///< Unit length; empty: flat shading.
-  std::vector<Vec4> tangents;       ///< xyz unit length; w = +1 or -1, bitangent = w cross(normal, tangent).
+  std::vector<Triangle> triangles;       ///< Counter-clockwise seen from the front.
+  std::vector<Vec3> normals;             ///< Unit length; empty: flat shading.
+  std::vector<Vec4> tangents;            ///< xyz unit length; w = +1 or -1, bitangent = w cross(normal, tangent).
   std::array<std::vector<Vec2>, 2> uvs;  ///< (0, 0) is the upper left corner of an image.
-  std::vector<Vec4> colors;         ///< Linear RGBA that multiplies the base colour.
-  std::uint32_t material = 0;       ///< Into Scene::materials.
+  std::vector<Vec4> colors;              ///< Linear RGBA that multiplies the base colour.
+  std::uint32_t material = 0;            ///< Into Scene::materials.
 };
 
 /// The unit of instancing: meshes [first_mesh, first_mesh + mesh_count), which share one bottom-level BVH.
@@ -66,28 +66,28 @@ struct Material {
   std::string name;
   Vec4 base_color{1.0f};  ///< Linear RGBA.
   TextureSlot base_color_texture;
-  float metallic = 1, roughness = 1;        ///< Roughness is perceptual: alpha = roughness squared.
-  TextureSlot metallic_roughness_texture;   ///< G: roughness, B: metallic.
+  float metallic = 1, roughness = 1;       ///< Roughness is perceptual: alpha = roughness squared.
+  TextureSlot metallic_roughness_texture;  ///< G: roughness, B: metallic.
   TextureSlot normal_texture;
   float normal_scale = 1;
-  TextureSlot occlusion_texture;            ///< R. Read for `info` only: light transport computes occlusion itself.
+  TextureSlot occlusion_texture;  ///< R. Read for `info` only: light transport computes occlusion itself.
   float occlusion_strength = 1;
-  Vec3 emission{0.0f};                      ///< emissiveFactor times emissiveStrength; radiance, W/(sr m2) = nit.
+  Vec3 emission{0.0f};  ///< emissiveFactor times emissiveStrength; radiance, W/(sr m2) = nit.
   TextureSlot emission_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool is_double_sided = false;
-  bool is_unlit = false;                    ///< KHR_materials_unlit: base colour is the emitted radiance.
-  float ior = 1.5f;                         ///< KHR_materials_ior; 0 means an infinite one (Fresnel term 1).
-  float specular = 1;                       ///< KHR_materials_specular.
-  TextureSlot specular_texture;             ///< A.
+  bool is_unlit = false;         ///< KHR_materials_unlit: base colour is the emitted radiance.
+  float ior = 1.5f;              ///< KHR_materials_ior; 0 means an infinite one (Fresnel term 1).
+  float specular = 1;            ///< KHR_materials_specular.
+  TextureSlot specular_texture;  ///< A.
   Vec3 specular_color{1.0f};
-  TextureSlot specular_color_texture;       ///< sRGB.
-  float transmission = 0;                   ///< KHR_materials_transmission.
-  TextureSlot transmission_texture;         ///< R.
-  float thickness = 0;                      ///< KHR_materials_volume; 0: thin-walled. Rays measure it themselves.
+  TextureSlot specular_color_texture;  ///< sRGB.
+  float transmission = 0;              ///< KHR_materials_transmission.
+  TextureSlot transmission_texture;    ///< R.
+  float thickness = 0;                 ///< KHR_materials_volume; 0: thin-walled. Rays measure it themselves.
   Vec3 attenuation_color{1.0f};
-  float attenuation_distance = infinity;    ///< Metres.
+  float attenuation_distance = infinity;  ///< Metres.
 
   bool is_transmissive() const { return transmission > 0; }
   bool is_volume() const { return transmission > 0 && thickness > 0; }
@@ -100,12 +100,12 @@ enum class CameraKind : std::uint8_t { perspective, orthographic };
 struct Camera {
   std::string name;
   CameraKind kind = CameraKind::perspective;
-  Affine to_world;            ///< Only rotation and translation are used; a scale is ignored.
-  float yfov = 0.8f;          ///< Full vertical angle, radians (perspective).
-  float aspect = 0;           ///< Width / height the author framed for; 0: any.
-  float xmag = 1, ymag = 1;   ///< Half width and half height in metres (orthographic).
-  float lens_radius = 0;      ///< Metres; 0: pinhole.
-  float focus_distance = 1;   ///< Metres along the viewing axis to the plane in focus.
+  Affine to_world;           ///< Only rotation and translation are used; a scale is ignored.
+  float yfov = 0.8f;         ///< Full vertical angle, radians (perspective).
+  float aspect = 0;          ///< Width / height the author framed for; 0: any.
+  float xmag = 1, ymag = 1;  ///< Half width and half height in metres (orthographic).
+  float lens_radius = 0;     ///< Metres; 0: pinhole.
+  float focus_distance = 1;  ///< Metres along the viewing axis to the plane in focus.
 };
 
 enum class PunctualKind : std::uint8_t { point, spot, directional };
@@ -115,18 +115,18 @@ struct PunctualLight {
   std::string name;
   PunctualKind kind = PunctualKind::point;
   Vec3 intensity{1.0f};
-  Vec3 position{0.0f};          ///< World space, metres.
-  Vec3 direction{0, 0, -1};     ///< World space, unit, the way the light travels.
-  float range = infinity;       ///< Metres; the specification's window function fades the light out towards it.
+  Vec3 position{0.0f};       ///< World space, metres.
+  Vec3 direction{0, 0, -1};  ///< World space, unit, the way the light travels.
+  float range = infinity;    ///< Metres; the specification's window function fades the light out towards it.
   float inner_cone = 0, outer_cone = 0.78539816f;  ///< Half angles of a spot, radians.
 };
 
 /// Light from everywhere beyond the scene.
 struct Environment {
-  Image image;          ///< Latitude-longitude, linear RGB; its centre is seen looking along -Z, its right half lies
-                        ///< towards +X, its top is +Y. Empty: `tint` alone, a constant.
-  Vec3 tint{0.0f};      ///< Radiance, or a factor of the image. Black: no environment.
-  float rotation = 0;   ///< Radians about +Y, counter-clockwise seen from above.
+  Image image;         ///< Latitude-longitude, linear RGB; its centre is seen looking along -Z, its right half lies
+                       ///< towards +X, its top is +Y. Empty: `tint` alone, a constant.
+  Vec3 tint{0.0f};     ///< Radiance, or a factor of the image. Black: no environment.
+  float rotation = 0;  ///< Radians about +Y, counter-clockwise seen from above.
   /// What the camera sees instead of the environment (also through straight or refracted specular transmission).
   std::optional<Vec3> backdrop;
 
@@ -157,9 +157,9 @@ struct Bounds {
 /// Box around every instance in world space; exact over vertices, empty for a scene without geometry.
 Bounds scene_bounds(const Scene& scene);
 
-/// True when the scene brings light of its own: a punctual light, an environment, or a surface that emits more than 1 nit. Core
-/// glTF stops at 1, the white of the screen: such surfaces glow for the viewer but are not meant to light anything,
-/// and neither are unlit ones.
+/// True when the scene brings light of its own: a punctual light, an environment, or a surface that emits more than 1
+/// nit. Core glTF stops at 1, the white of the screen: such surfaces glow for the viewer but are not meant to light
+/// anything, and neither are unlit ones.
 bool has_light(const Scene& scene);
 
 /// Triangles counted once per instance.

@@ -8,16 +8,16 @@ namespace {
 
 /// A soft box: a rectangle at unit distance with rounded, fading edges.
 struct SoftBox {
-  float azimuth, elevation;        // degrees; azimuth 0 is +Z, positive towards +X
-  float half_width, half_height;   // tangents of the half angles
+  float azimuth, elevation;       // degrees; azimuth 0 is +Z, positive towards +X
+  float half_width, half_height;  // tangents of the half angles
   float radiance;
 };
 
 constexpr std::array<SoftBox, 4> soft_boxes = {{
-    {-30, 42, 0.55f, 0.45f, 3.6f},   // key: above left of the automatic camera
-    {95, 18, 0.40f, 0.80f, 1.4f},    // fill: tall, to the right
-    {200, 35, 0.90f, 0.25f, 3.0f},   // rim: a wide strip behind
-    {0, 90, 0.60f, 0.60f, 1.2f},     // ceiling
+    {-30, 42, 0.55f, 0.45f, 3.6f},  // key: above left of the automatic camera
+    {95, 18, 0.40f, 0.80f, 1.4f},   // fill: tall, to the right
+    {200, 35, 0.90f, 0.25f, 3.0f},  // rim: a wide strip behind
+    {0, 90, 0.60f, 0.60f, 1.2f},    // ceiling
 }};
 
 float smooth_edge(float distance, float half_extent, float softness) {
@@ -26,7 +26,8 @@ float smooth_edge(float distance, float half_extent, float softness) {
 
 float box_radiance(const SoftBox& box, Vec3 direction) {
   const float azimuth = glm::radians(box.azimuth), elevation = glm::radians(box.elevation);
-  const Vec3 axis(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth));
+  const Vec3 axis(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                  std::cos(elevation) * std::cos(azimuth));
   const float depth = glm::dot(direction, axis);
   if (depth <= 0) return 0;
   const Vec3 right(std::cos(azimuth), 0, -std::sin(azimuth));

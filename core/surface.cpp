@@ -51,6 +51,7 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
       point.tangent = Vec4(m * Vec3(point.tangent), point.tangent.w * mirrored);
     }
   }
+  if (!mesh.tangents.empty()) point.tangent = Vec4(normalize_or(Vec3(point.tangent), Vec3(0)), point.tangent.w);
   point.normal_geometric = normalize_or(normal_geometric, Vec3(0, 1, 0));
   point.normal = normalize_or(normal, point.normal_geometric);
   // The winding decides which side is the front (glTF 2.0, section 3.7.4); a normal that disagrees is turned round.

@@ -8,8 +8,12 @@ namespace {
 /// Coordinate in [0, 1] after wrapping; non-finite coordinates become 0.
 float wrap_coordinate(float t, Wrap wrap) {
   switch (wrap) {
-    case Wrap::repeat: t -= std::floor(t); break;
-    case Wrap::clamp: t = glm::clamp(t, 0.0f, 1.0f); break;
+    case Wrap::repeat:
+      t -= std::floor(t);
+      break;
+    case Wrap::clamp:
+      t = glm::clamp(t, 0.0f, 1.0f);
+      break;
     case Wrap::mirror:
       t -= 2 * std::floor(0.5f * t);
       t = t > 1 ? 2 - t : t;
@@ -47,8 +51,8 @@ Vec4 sample_texture(const Scene& scene, const TextureSlot& slot, const Vec2 (&uv
   const float v = wrap_coordinate(glm::dot(slot.row_v, source), texture.wrap_v);
   const float x = u * static_cast<float>(image.width), y = v * static_cast<float>(image.height);
   if (texture.filter == Filter::nearest) {
-    return texel(image, glm::min(static_cast<int>(x), image.width - 1),
-                 glm::min(static_cast<int>(y), image.height - 1), space);
+    return texel(image, glm::min(static_cast<int>(x), image.width - 1), glm::min(static_cast<int>(y), image.height - 1),
+                 space);
   }
   const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
   const float fx = x - 0.5f - left, fy = y - 0.5f - top;

@@ -22,7 +22,8 @@ std::vector<std::string> tonemap_names();
 Vec3 apply_tonemap(Tonemap operator_kind, Vec3 color);
 
 /// RGBA (or RGB) image, linear and premultiplied, to display values in [0, 1]: multiplies by 2^exposure, applies the
-/// operator and the sRGB curve to colour that is not premultiplied, and leaves alpha as it is, unassociated (as PNG wants).
+/// operator and the sRGB curve to colour that is not premultiplied, and leaves alpha as it is, unassociated (as PNG
+/// wants).
 Image to_display(const Image& linear, float exposure_stops, Tonemap operator_kind);
 
 }  // namespace candil

@@ -7,14 +7,22 @@
 
 namespace candil {
 
+/// Sine and cosine of an angle in [-pi/4, pi/4] by Taylor's series: correct to 4e-7, and several times as fast as the
+/// general functions.
+inline Vec2 sine_cosine_of_octant(float x) {
+  const float x2 = x * x;
+  return {x * (1 + x2 * (-1 / 6.0f + x2 * (1 / 120.0f + x2 * (-1 / 5040.0f)))),
+          1 + x2 * (-0.5f + x2 * (1 / 24.0f + x2 * (-1 / 720.0f + x2 * (1 / 40320.0f))))};
+}
+
 /// Unit disc, uniform (density 1/pi); keeps neighbours neighbours (Shirley and Chiu 1997).
 inline Vec2 sample_disc(Vec2 u) {
   const Vec2 p = 2.0f * u - 1.0f;
   if (p.x == 0 && p.y == 0) return Vec2(0);
   const bool is_x_larger = std::abs(p.x) > std::abs(p.y);
-  const float radius = is_x_larger ? p.x : p.y;
-  const float angle = is_x_larger ? pi / 4 * (p.y / p.x) : pi / 2 - pi / 4 * (p.x / p.y);
-  return radius * Vec2(std::cos(angle), std::sin(angle));
+  const float radius = is_x_larger ? p.x : p.y, other = is_x_larger ? p.y : p.x;
+  const Vec2 direction = sine_cosine_of_octant(pi / 4 * (other / radius));
+  return radius * (is_x_larger ? Vec2(direction.y, direction.x) : direction);
 }
 
 /// Hemisphere around +Z, density cos(theta) / pi per steradian.
@@ -32,8 +40,8 @@ inline Vec3 sample_sphere(Vec2 u) {
 }
 inline constexpr float pdf_sphere = 1 / (4 * pi);
 
-/// Barycentric weights of the second and third vertex, uniform over a triangle's area (Heitz 2019, "A Low-Distortion Map
-/// Between Triangle and Square").
+/// Barycentric weights of the second and third vertex, uniform over a triangle's area (Heitz 2019, "A Low-Distortion
+/// Map Between Triangle and Square").
 inline Vec2 sample_triangle(Vec2 u) {
   if (u.y > u.x) {
     const float x = 0.5f * u.x;

@@ -18,9 +18,8 @@ PathSample show_first_hit(const RenderContext& context, const Ray& ray, RayCount
 
 PathSample show_normals(const RenderContext& context, const RenderSettings&, const Ray& ray, const Sampler&,
                         RayCounts& rays) {
-  return show_first_hit(context, ray, rays, [](const SurfacePoint&, const Bsdf& bsdf) {
-    return 0.5f * bsdf.shading_normal() + 0.5f;
-  });
+  return show_first_hit(context, ray, rays,
+                        [](const SurfacePoint&, const Bsdf& bsdf) { return 0.5f * bsdf.shading_normal() + 0.5f; });
 }
 
 PathSample show_albedo(const RenderContext& context, const RenderSettings&, const Ray& ray, const Sampler&,

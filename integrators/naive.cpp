@@ -1,4 +1,5 @@
-// Path tracing in its plainest form: the light that the closure's samples happen to find. Slow, and easy to check by eye.
+// Path tracing in its plainest form: the light that the closure's samples happen to find. Slow, and easy to check by
+// eye.
 #include "core/emission.h"
 #include "integrators/path_state.h"
 
@@ -19,8 +20,8 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
     if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
     const SurfacePoint point = make_surface_point(context.scene, *hit);
     const Vec3 wo = -state.ray.direction;
-    state.radiance += state.throughput *
-                      emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
+    state.radiance +=
+        state.throughput * emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
     if (state.bounce >= settings.max_bounces) break;
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
     const float u_lobe = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::choices)).y;

@@ -28,6 +28,15 @@ Vec3 direct_light(const RenderContext& context, const SurfacePoint& point, const
   return radiance;
 }
 
+/// The random numbers of a vertex, drawn together.
+struct VertexSamples {
+  Vec2 choices, light, direction;  // x of the choices: which light; y: which lobe
+  VertexSamples(const Sampler& sampler, std::uint32_t bounce)
+      : choices(sampler.sample_2d(dimension::of_vertex(bounce, dimension::choices))),
+        light(sampler.sample_2d(dimension::of_vertex(bounce, dimension::light_point))),
+        direction(sampler.sample_2d(dimension::of_vertex(bounce, dimension::direction))) {}
+};
+
 /// Weight of light that the closure's own sample ran into.
 float weight_of_found_light(const PathState& state, float light_pdf) {
   return state.is_specular ? 1.0f : mis_weight(state.bsdf_pdf, light_pdf);
@@ -48,6 +57,8 @@ PathSample trace_path(const RenderContext& context, const RenderSettings& settin
       state.radiance += state.throughput * background(context, state) * weight;
       break;
     }
+    prefetch_triangle(context.scene, *hit);
+    const VertexSamples u(sampler, state.bounce);
     if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
 
     const SurfacePoint point = make_surface_point(context.scene, *hit);
@@ -60,14 +71,11 @@ PathSample trace_path(const RenderContext& context, const RenderSettings& settin
     if (state.bounce >= settings.max_bounces) break;
 
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
-    const Vec2 choices = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::choices));
     if (!bsdf.is_purely_delta() && !context.lights.is_empty()) {
-      const Vec2 u_light = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::light_point));
-      state.radiance += state.throughput *
-                        direct_light(context, point, bsdf, wo, choices.x, u_light, state.medium, rays);
+      state.radiance +=
+          state.throughput * direct_light(context, point, bsdf, wo, u.choices.x, u.light, state.medium, rays);
     }
-    const Vec2 u_direction = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::direction));
-    if (!scatter(state, context.scene, point, bsdf, choices.y, u_direction)) break;
+    if (!scatter(state, context.scene, point, bsdf, u.choices.y, u.direction)) break;
     if (!survives_roulette(state, sampler)) break;
     ++rays.bounce;
   }

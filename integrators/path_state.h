@@ -10,13 +10,13 @@ struct PathState {
   Ray ray;
   Vec3 throughput{1.0f};  ///< Contribution over density of the path so far.
   Vec3 radiance{0.0f};    ///< Collected so far.
-  float eta_scale = 1;    ///< Product of eta^2: what roulette multiplies to undo the compression of radiance in a medium.
+  float eta_scale = 1;  ///< Product of eta^2: what roulette multiplies to undo the compression of radiance in a medium.
   std::uint32_t bounce = 0;           ///< Scattering events so far.
   std::uint32_t medium = invalid_id;  ///< Material whose volume the ray crosses, or none.
   float bsdf_pdf = 0;                 ///< Density, 1/sr, with which the last closure chose the ray.
   Vec3 from{0.0f};                    ///< The last surface point, without offset.
-  bool is_specular = true;            ///< The ray is a camera ray or left a delta lobe: nothing else could have found it.
-  bool sees_backdrop = true;          ///< Camera ray so far, bent at most by specular transmission.
+  bool is_specular = true;    ///< The ray is a camera ray or left a delta lobe: nothing else could have found it.
+  bool sees_backdrop = true;  ///< Camera ray so far, bent at most by specular transmission.
 };
 
 /// What is left of light after `distance` metres in the volume of a material: Beer-Lambert with the attenuation colour
@@ -33,8 +33,9 @@ Vec3 background(const RenderContext& context, const PathState& state);
 bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, const Bsdf& bsdf, float u_lobe,
              Vec2 u_direction);
 
-/// Russian roulette from the fifth vertex on; false when the path ends here. Its probability follows the throughput without
-/// the 1/eta^2 of media, which comes back when the path leaves them (Pharr, Jakob and Humphreys 2023, section 14.4).
+/// Russian roulette from the fifth vertex on; false when the path ends here. Its probability follows the throughput
+/// without the 1/eta^2 of media, which comes back when the path leaves them (Pharr, Jakob and Humphreys 2023,
+/// section 14.4).
 bool survives_roulette(PathState& state, const Sampler& sampler);
 
 }  // namespace candil

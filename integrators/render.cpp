@@ -1,12 +1,12 @@
 #include "integrators/render.h"
 
+#include <pmmintrin.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <xmmintrin.h>
-#include <pmmintrin.h>
 
 #include <chrono>
 #include <mutex>
@@ -39,15 +39,20 @@ struct Block {
   std::uint32_t first_sample, samples;
 };
 
-/// One render under way. Threads work on tiles of a block of samples; whatever they count is integers, so that the order
-/// in which tiles end does not matter.
+/// One render under way. Threads work on tiles of a block of samples; whatever they count is integers, so that the
+/// order in which tiles end does not matter.
 class RenderJob {
  public:
   RenderJob(const RenderContext& context, const Camera& camera, const RenderSettings& settings,
             const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop)
-      : context_(context), settings_(settings), camera_(camera, settings.width, settings.height),
-        filter_(settings.filter), trace_(integrator_function(settings.integrator)), on_progress_(on_progress),
-        stop_(stop), film_(settings.width, settings.height) {}
+      : context_(context),
+        settings_(settings),
+        camera_(camera, settings.width, settings.height),
+        filter_(settings.filter),
+        trace_(integrator_function(settings.integrator)),
+        on_progress_(on_progress),
+        stop_(stop),
+        film_(settings.width, settings.height) {}
 
   RenderResult run() {
     const std::uint32_t wanted = settings_.samples_per_pixel;
@@ -71,27 +76,26 @@ class RenderJob {
   }
 
  private:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
   bool is_stopped() const { return stop_ && stop_->load(std::memory_order_relaxed); }
-  bool is_out_of_time() const {
-    return settings_.time_limit_seconds > 0 && seconds() >= settings_.time_limit_seconds;
-  }
+  bool is_out_of_time() const { return settings_.time_limit_seconds > 0 && seconds() >= settings_.time_limit_seconds; }
 
   void render_block(const Block& block) {
     using Tiles = tbb::blocked_range2d<int>;
     const Tiles image(0, settings_.height, tile_size, 0, settings_.width, tile_size);
-    tbb::parallel_for(image, [&](const Tiles& tile) {
-      // The first block always ends, so that there is a picture to write.
-      if (block.first_sample > 0 && (is_cancelled_ || is_stopped() || is_out_of_time())) {
-        is_cancelled_ = true;
-        return;
-      }
-      render_tile(tile, block);
-      tiles_done_ += static_cast<std::int64_t>(tile.rows().size()) * static_cast<std::int64_t>(tile.cols().size());
-      report_sometimes(block);
-    }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        image,
+        [&](const Tiles& tile) {
+          // The first block always ends, so that there is a picture to write.
+          if (block.first_sample > 0 && (is_cancelled_ || is_stopped() || is_out_of_time())) {
+            is_cancelled_ = true;
+            return;
+          }
+          render_tile(tile, block);
+          tiles_done_ += static_cast<std::int64_t>(tile.rows().size()) * static_cast<std::int64_t>(tile.cols().size());
+          report_sometimes(block);
+        },
+        tbb::simple_partitioner());
   }
 
   void render_tile(const tbb::blocked_range2d<int>& tile, const Block& block) {
@@ -174,10 +178,14 @@ std::optional<IntegratorKind> integrator_from_name(std::string_view name) {
 
 Integrator integrator_function(IntegratorKind kind) {
   switch (kind) {
-    case IntegratorKind::path: return trace_path;
-    case IntegratorKind::naive: return trace_naive;
-    case IntegratorKind::normals: return show_normals;
-    case IntegratorKind::albedo: return show_albedo;
+    case IntegratorKind::path:
+      return trace_path;
+    case IntegratorKind::naive:
+      return trace_naive;
+    case IntegratorKind::normals:
+      return show_normals;
+    case IntegratorKind::albedo:
+      return show_albedo;
   }
   return trace_path;
 }

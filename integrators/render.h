@@ -24,13 +24,14 @@ std::optional<IntegratorKind> integrator_from_name(std::string_view name);
 struct RenderSettings {
   int width = 1024, height = 1024;  ///< Pixels, at least 1 each.
   std::uint32_t samples_per_pixel = 64;
-  std::uint32_t max_bounces = 64;   ///< Scattering events of a path; 0 shows only what emits.
+  std::uint32_t max_bounces = 64;  ///< Scattering events of a path; 0 shows only what emits.
   std::uint64_t seed = 0;
   IntegratorKind integrator = IntegratorKind::path;
-  bool transparent_background = false;  ///< Camera rays that hit nothing give black with alpha 0 instead of the environment.
+  bool transparent_background =
+      false;  ///< Camera rays that hit nothing give black with alpha 0 instead of the environment.
   FilterKind filter = FilterKind::blackman_harris;
-  int threads = 0;                  ///< 0: all cores.
-  double time_limit_seconds = 0;    ///< 0: none. The samples finished by then make the picture.
+  int threads = 0;                ///< 0: all cores.
+  double time_limit_seconds = 0;  ///< 0: none. The samples finished by then make the picture.
 };
 
 /// Rays by what they were shot for.
@@ -47,8 +48,8 @@ struct RenderProgress {
   std::uint32_t samples_done = 0, samples_wanted = 0;  ///< Per pixel.
   double fraction_done = 0;                            ///< Of all tiles of all blocks, 0 to 1.
   double seconds = 0;
-  double samples_per_second = 0;                       ///< Pixel samples (camera paths) over the whole render so far.
-  float relative_noise = 0;                            ///< Film::relative_noise() after the last block; 0: not known yet.
+  double samples_per_second = 0;  ///< Pixel samples (camera paths) over the whole render so far.
+  float relative_noise = 0;       ///< Film::relative_noise() after the last block; 0: not known yet.
 };
 
 struct RenderResult {
@@ -56,7 +57,7 @@ struct RenderResult {
   RayCounts rays;
   std::uint64_t non_finite_samples = 0;  ///< Their radiance was NaN or infinite; they count as black.
   double seconds = 0;
-  bool was_interrupted = false;          ///< `stop` became true before all samples were done.
+  bool was_interrupted = false;  ///< `stop` became true before all samples were done.
   bool was_out_of_time = false;
 };
 

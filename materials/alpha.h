@@ -12,5 +12,4 @@ namespace candil {
 ///   is the same whoever asks.
 HitFilter alpha_filter();
 
-
 }  // namespace candil

@@ -1,8 +1,8 @@
 /// The closure of one hit: how light scatters there. A value on the stack, made once per hit by make_bsdf(), with every
 /// texture already read.
 ///
-/// Directions: `wo` points to the previous vertex (towards the camera), `wi` to the next one (towards the light); both are
-/// unit vectors in world space and point away from the surface. Radiance flows from wi to wo: for transmission into
+/// Directions: `wo` points to the previous vertex (towards the camera), `wi` to the next one (towards the light); both
+/// are unit vectors in world space and point away from the surface. Radiance flows from wi to wo: for transmission into
 /// a medium of relative index eta the values contain the factor 1/eta^2 of radiance (Veach 1997, section 5.2).
 #pragma once
 
@@ -35,8 +35,8 @@ class Bsdf {
   /// Whether wi leaves on the side that the local frame and the flat triangle agree on.
   bool sides_agree(Vec3 wi, float local_z) const { return glm::dot(wi, geometric_normal_) * local_z > 0; }
 
-  Frame frame_;             // z: shading normal, on the side of wo
-  Vec3 geometric_normal_;   // on the side of wo
+  Frame frame_;                  // z: shading normal, on the side of wo
+  Vec3 geometric_normal_;        // on the side of wo
   float dielectric_weight_ = 0;  // 0: opaque lobes only; 1: dielectric lobes only
   // Each is there when the weight gives it a share; most surfaces never pay for the other.
   std::optional<OpaqueLobes> opaque_;

@@ -8,8 +8,16 @@
 namespace candil {
 
 DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo& ggx, Vec3 wo)
-    : ggx_(&ggx), table_(p.table), roughness_(p.roughness), alpha_(sqr(p.roughness)), is_thin_(p.is_thin),
-      from_inside_(p.from_inside), reflects_all_(p.ior == 0), tint_(p.tint), f0_(p.f0), f90_(p.f90) {
+    : ggx_(&ggx),
+      table_(p.table),
+      roughness_(p.roughness),
+      alpha_(sqr(p.roughness)),
+      is_thin_(p.is_thin),
+      from_inside_(p.from_inside),
+      reflects_all_(p.ior == 0),
+      tint_(p.tint),
+      f0_(p.f0),
+      f90_(p.f90) {
   eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.ior));
   const bool is_invisible = !is_thin_ && !reflects_all_ && eta_ == 1;  // nothing refracts: roughness has no effect
@@ -56,8 +64,9 @@ BsdfEval DielectricLobes::eval_facets(Vec3 wo, Vec3 wi) const {
     const float density = ggx_distribution(h, alpha_) / (4 * wo.z);
     const Vec3 fresnel = reflectance(glm::dot(wo, h));
     const float probability = reflection_probability(fresnel);
-    return {(is_reflection ? fresnel : (1.0f - fresnel) * tint_) * (density * ggx_masking_shadowing(wo, mirrored, alpha_)),
-            (is_reflection ? probability : 1 - probability) * density * ggx_masking(wo, alpha_)};
+    return {
+        (is_reflection ? fresnel : (1.0f - fresnel) * tint_) * (density * ggx_masking_shadowing(wo, mirrored, alpha_)),
+        (is_reflection ? probability : 1 - probability) * density * ggx_masking(wo, alpha_)};
   }
   if (reflects_all_) return {};
   // The facet that refracts wo into wi (Walter et al. 2007, equation 16), turned to the outside.
@@ -81,7 +90,8 @@ BsdfEval DielectricLobes::eval_multiple(Vec3 wi) const {
     return {Vec3(value), lost_ * share * cosine_pdf};
   }
   const float radiance_scale = is_thin_ ? 1.0f : 1 / sqr(eta_);
-  const float value = multiple_transmitted_ * lost_ * lost_energy(cosine, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
+  const float value =
+      multiple_transmitted_ * lost_ * lost_energy(cosine, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
   return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * cosine_pdf};
 }
 

@@ -1,11 +1,13 @@
-/// Glass and thin sheets: the transmitting part of the glTF material (KHR_materials_transmission, _volume, _ior, _specular).
+/// Glass and thin sheets: the transmitting part of the glTF material (KHR_materials_transmission, _volume, _ior,
+/// _specular).
 ///
-/// A volume refracts with exact Fresnel reflectance at GGX facets (Walter et al. 2007). A thin-walled surface does not bend light: its
-/// transmission is the reflection lobe mirrored through the sheet, as the extension's text has it. KHR_materials_specular reshapes
-/// the reflectance between its f0 and f90; without it the exact curve stands. Energy lost between facets comes back as
-/// diffuse-like lobes on both sides, split so that the closure stays reciprocal (Kulla and Conty 2017, dielectrics); its tables are those of
-/// the exact curve, so that a rough volume with KHR_materials_specular may be off by up to 6 %.
-/// Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is transmission.
+/// A volume refracts with exact Fresnel reflectance at GGX facets (Walter et al. 2007). A thin-walled surface does not
+/// bend light: its transmission is the reflection lobe mirrored through the sheet, as the extension's text has it.
+/// KHR_materials_specular reshapes the reflectance between its f0 and f90; without it the exact curve stands. Energy
+/// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
+/// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, so that a rough volume with
+/// KHR_materials_specular may be off by up to 6 %. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is
+/// transmission.
 #pragma once
 
 #include <optional>
@@ -16,13 +18,14 @@
 namespace candil {
 
 struct DielectricParameters {
-  float roughness = 0;         ///< Perceptual.
-  float ior = 1.5f;            ///< Of the medium behind the front side; 0: infinite.
+  float roughness = 0;  ///< Perceptual.
+  float ior = 1.5f;     ///< Of the medium behind the front side; 0: infinite.
   bool is_thin = false;
-  bool from_inside = false;    ///< wo is inside of the medium; false for thin walls.
-  Vec3 tint{1.0f};             ///< Colour of what is transmitted at this interface.
-  Vec3 f0{0.04f}, f90{1.0f};   ///< Reflectance at normal and grazing incidence.
-  const DielectricAlbedo* table = nullptr;  ///< Of this index; may be null when the surface is smooth or does not refract.
+  bool from_inside = false;   ///< wo is inside of the medium; false for thin walls.
+  Vec3 tint{1.0f};            ///< Colour of what is transmitted at this interface.
+  Vec3 f0{0.04f}, f90{1.0f};  ///< Reflectance at normal and grazing incidence.
+  const DielectricAlbedo* table =
+      nullptr;  ///< Of this index; may be null when the surface is smooth or does not refract.
 };
 
 class DielectricLobes {
@@ -48,11 +51,11 @@ class DielectricLobes {
   const GgxAlbedo* ggx_ = nullptr;
   const DielectricAlbedo* table_ = nullptr;
   float roughness_ = 0, alpha_ = 0;
-  float eta_ = 1;               // index beyond the interface over the index on wo's side
+  float eta_ = 1;  // index beyond the interface over the index on wo's side
   bool is_thin_ = false, from_inside_ = false, is_delta_ = true;
   bool has_exact_fresnel_ = true, reflects_all_ = false;
   Vec3 tint_{1.0f}, f0_{0.04f}, f90_{1.0f};
-  float lost_ = 0;              // energy towards wo that single scattering loses; also the probability of the broad lobes
+  float lost_ = 0;  // energy towards wo that single scattering loses; also the probability of the broad lobes
   float mean_lost_here_ = 1, mean_lost_beyond_ = 1;
   float multiple_transmitted_ = 0;  // share of the lost energy that goes beyond
 };

@@ -83,9 +83,7 @@ float dielectric_energy(Vec3 wo, Vec3 h, float alpha, float eta) {
 
 float AlbedoGrid::lookup(float roughness, float cosine) const {
   const GridPosition r(roughness, roughness_count), c(cosine, cosine_count);
-  const auto row = [&](int index) {
-    return glm::mix(values[index][c.index], values[index][c.index + 1], c.fraction);
-  };
+  const auto row = [&](int index) { return glm::mix(values[index][c.index], values[index][c.index + 1], c.fraction); };
   return glm::mix(row(r.index), row(r.index + 1), r.fraction);
 }
 
@@ -116,9 +114,8 @@ DielectricAlbedo::DielectricAlbedo(float ior) : ior_(ior) {
     const float eta = inside ? 1 / ior : ior;
     AlbedoGrid& grid = sides_[inside];
     for_each_cell([&](int r, int c, float roughness, float cosine) {
-      grid.values[r][c] = integrate(roughness, cosine, [eta](Vec3 wo, Vec3 h, float alpha) {
-        return dielectric_energy(wo, h, alpha, eta);
-      });
+      grid.values[r][c] = integrate(
+          roughness, cosine, [eta](Vec3 wo, Vec3 h, float alpha) { return dielectric_energy(wo, h, alpha, eta); });
     });
     for (int r = 0; r < roughness_count; ++r) averages_[inside][r] = cosine_weighted_mean(grid.values[r]);
   }

@@ -18,13 +18,15 @@ Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePo
   return squared > 0 ? n / glm::sqrt(squared) : point.normal;
 }
 
-/// A shading normal that suits `wo` and the flat normal, both on the same side of the surface: wo is above it, and so is the
-/// mirror direction above the flat surface. Where interpolation or a normal map went too far, the mirror direction is lifted to
-/// the horizon and the normal is put half-way between it and wo, so that specular light is bent rather than lost.
-Vec3 valid_normal(Vec3 normal, Vec3 normal_geometric, Vec3 wo) {
+/// A shading normal that suits `wo` and the flat normal, both on the same side of the surface: wo is above it, and so
+/// is the mirror direction above the flat surface. Where interpolation or a normal map went too far, the mirror
+/// direction is lifted to the horizon and the normal is put half-way between it and wo, so that specular light is bent
+/// rather than lost.
+Vec3 valid_normal(Vec3 normal, Vec3 normal_geometric, Vec3 wo, bool has_specular) {
   constexpr float least_cosine = 1e-3f;
   const float cosine = glm::dot(normal, wo);
   if (cosine < least_cosine) normal = glm::normalize(normal + (least_cosine - cosine) * wo);
+  if (!has_specular) return normal;
   const Vec3 mirrored = 2 * glm::dot(normal, wo) * normal - wo;
   const float height = glm::dot(mirrored, normal_geometric);
   const float least_height = glm::min(least_cosine, 0.5f * glm::dot(wo, normal_geometric));
@@ -45,7 +47,8 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const bool is_front = glm::dot(wo, point.normal_geometric) >= 0;
   const float side = is_front ? 1.0f : -1.0f;
   const Vec3 normal_geometric = side * point.normal_geometric;
-  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo);
+  const bool has_specular = material.specular > 0 || material.metallic > 0 || material.is_transmissive();
+  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo, has_specular);
   Bsdf bsdf(normal, normal_geometric);
   if (material.is_unlit) {
     bsdf.opaque_.emplace(OpaqueParameters{}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits

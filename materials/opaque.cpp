@@ -17,16 +17,22 @@ Vec3 multiple_scattering_color(Vec3 f0, Vec3 f90, float mean_albedo) {
 }  // namespace
 
 OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3 wo)
-    : table_(&table), roughness_(p.roughness), alpha_(sqr(p.roughness)), f0_(glm::mix(p.coat_f0, p.base, p.metallic)),
-      f90_(glm::mix(p.coat_f90, Vec3(1), p.metallic)), diffuse_((1 - p.metallic) * p.base),
-      coat_f0_(max_component(p.coat_f0)), coat_f90_(max_component(p.coat_f90)), albedo_(diffuse_) {
+    : table_(&table),
+      roughness_(p.roughness),
+      alpha_(sqr(p.roughness)),
+      f0_(glm::mix(p.coat_f0, p.base, p.metallic)),
+      f90_(glm::mix(p.coat_f90, Vec3(1), p.metallic)),
+      diffuse_((1 - p.metallic) * p.base),
+      coat_f0_(max_component(p.coat_f0)),
+      coat_f90_(max_component(p.coat_f90)),
+      albedo_(diffuse_) {
   has_specular_ = max_component(glm::max(f0_, f90_)) > 0;
   if (!has_specular_) return;
   is_delta_ = alpha_ < ggx_min_alpha;
   if (is_delta_) roughness_ = 0;
   const GgxAlbedo::Split single = is_delta_ ? GgxAlbedo::Split{1 - fresnel_schlick(Vec3(0), Vec3(1), wo.z).x,
-                                                                fresnel_schlick(Vec3(0), Vec3(1), wo.z).x}
-                                             : table.directional(roughness_, wo.z);
+                                                               fresnel_schlick(Vec3(0), Vec3(1), wo.z).x}
+                                            : table.directional(roughness_, wo.z);
   const GgxAlbedo::Split mean = table.average(roughness_);
   const Vec3 specular = f0_ * single.scale + f90_ * single.bias;
   if (!is_delta_) {
@@ -44,7 +50,8 @@ OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3
     diffuse_ *= glm::max(0.0f, 1 - coat(single)) / glm::max(1e-6f, 1 - coat(mean));
   }
   // Choose lobes by the energy that each returns towards wo.
-  const Vec3 broad = multiple_ * (1 - mean.total()) + diffuse_ * glm::max(0.0f, 1 - (coat_f0_ * mean.scale + coat_f90_ * mean.bias));
+  const Vec3 broad =
+      multiple_ * (1 - mean.total()) + diffuse_ * glm::max(0.0f, 1 - (coat_f0_ * mean.scale + coat_f90_ * mean.bias));
   const float specular_energy = luminance(specular), broad_energy = luminance(broad);
   specular_probability_ = broad_energy > 0 ? specular_energy / (specular_energy + broad_energy) : 1.0f;
   albedo_ = glm::min(specular + broad, Vec3(1));

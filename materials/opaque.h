@@ -1,8 +1,9 @@
 /// Metal and coated diffuse: the opaque part of the glTF material, as one GGX specular lobe over a diffuse base.
 ///
-/// glTF 2.0, appendix B: mix(fresnel_mix(diffuse, specular), conductor, metallic). Schlick's term is linear in f0 and f90,
-/// so metal and dielectric share one specular lobe. What the text leaves to the renderer:
-/// - energy lost between facets comes back as a diffuse-like lobe (Kulla and Conty 2017), coloured by repeated Fresnel reflection;
+/// glTF 2.0, appendix B: mix(fresnel_mix(diffuse, specular), conductor, metallic). Schlick's term is linear in f0 and
+/// f90, so metal and dielectric share one specular lobe. What the text leaves to the renderer:
+/// - energy lost between facets comes back as a diffuse-like lobe (Kulla and Conty 2017), coloured by repeated Fresnel
+/// reflection;
 /// - the base gets what the coat's albedo leaves over, on the way in and out (Kelemen and Szirmay-Kalos 2001), instead
 ///   of 1 - F(V.H): white stays exactly white in a furnace, and the lobe is reciprocal.
 /// Local frame: z is the shading normal, wo.z > 0.
@@ -16,10 +17,10 @@
 namespace candil {
 
 struct OpaqueParameters {
-  float roughness = 1;                   ///< Perceptual.
-  float metallic = 0;                    ///< Share of the metal.
-  Vec3 base{0.0f};                       ///< Albedo of the diffuse base, f0 of the metal.
-  Vec3 coat_f0{0.0f}, coat_f90{0.0f};    ///< Reflectance of the dielectric coat at normal and grazing incidence.
+  float roughness = 1;                 ///< Perceptual.
+  float metallic = 0;                  ///< Share of the metal.
+  Vec3 base{0.0f};                     ///< Albedo of the diffuse base, f0 of the metal.
+  Vec3 coat_f0{0.0f}, coat_f90{0.0f};  ///< Reflectance of the dielectric coat at normal and grazing incidence.
 };
 
 class OpaqueLobes {
@@ -39,8 +40,8 @@ class OpaqueLobes {
   bool has_specular_ = false, is_delta_ = false;
   float specular_probability_ = 0;
   Vec3 f0_{0.0f}, f90_{0.0f};
-  Vec3 diffuse_{0.0f};        // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
-  Vec3 multiple_{0.0f};       // colour x (1 - E(wo)) / (1 - mean E)
+  Vec3 diffuse_{0.0f};   // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
+  Vec3 multiple_{0.0f};  // colour x (1 - E(wo)) / (1 - mean E)
   float coat_f0_ = 0, coat_f90_ = 0, coat_multiple_ = 0;
   Vec3 albedo_{0.0f};
 };

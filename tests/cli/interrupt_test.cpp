@@ -75,7 +75,7 @@ TEST(TimeLimit, AloneMeansAsManySamplesAsFit) {
   const ProgramResult result =
       run_program({"square.gltf", "--size", "4x4", "--time", "0.3", "--stats", "stats.json"}, folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  // 16 pixels at the default of 128 samples would be done in milliseconds.
+  // 16 pixels at the default of 64 samples would be done in milliseconds.
   EXPECT_GE(nlohmann::json::parse(read_text(folder / "stats.json"))["render_seconds"].get<double>(), 0.3);
 }
 

@@ -13,7 +13,7 @@ namespace {
 PixelSums sample_at(std::uint32_t index) {
   const float value =
       std::exp2(static_cast<float>(index * 2654435761U % 40) - 20) * (1 + static_cast<float>(index % 13) / 7);
-  PixelSums sums;
+  PixelSums sums{};
   sums.radiance = Vec3(value, 1 / value, value / 3);
   sums.alpha = static_cast<float>(index % 3) / 3;
   sums.radiance_squared = sums.radiance * sums.radiance;
@@ -42,7 +42,7 @@ TEST(PairwiseSum, IsTheBalancedTreeForPowersOfTwo) {
 TEST(PairwiseSum, DiffersFromAPlainSumOnThisData) {
   // Otherwise the tests here would prove nothing.
   PairwiseSum pairwise;
-  PixelSums plain;
+  PixelSums plain{};
   for (std::uint32_t i = 0; i < 64; ++i) pairwise.add(sample_at(i)), plain += sample_at(i);
   EXPECT_FALSE(same_bits(pairwise.total(), plain));
 }
@@ -50,7 +50,7 @@ TEST(PairwiseSum, DiffersFromAPlainSumOnThisData) {
 TEST(PairwiseSum, IsMoreExactThanAPlainSum) {
   // A million times 0.1: a plain float sum is off by about 1 %, a tree by a few roundings.
   PairwiseSum sum;
-  PixelSums sample;
+  PixelSums sample{};
   sample.radiance = Vec3(0.1f);
   for (int i = 0; i < 1'000'000; ++i) sum.add(sample);
   EXPECT_NEAR(sum.total().radiance.x / 1e6, 0.1, 1e-7);

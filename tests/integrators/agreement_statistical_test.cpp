@@ -1,4 +1,5 @@
-// `path` has the expected value of `naive`, scene by scene: next-event estimation and its weights add nothing and lose nothing.
+// `path` has the expected value of `naive`, scene by scene: next-event estimation and its weights add nothing and lose
+// nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +56,8 @@ void sky_with_sun(SceneBuilder& builder) {
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 32; ++x) {
       const bool is_sun = y >= 2 && y < 5 && x >= 6 && x < 11;
-      for (int c = 0; c < 3; ++c) environment.image.pixel(x, y)[c] = is_sun ? 12.0f : 0.2f + 0.02f * static_cast<float>(y);
+      for (int c = 0; c < 3; ++c)
+        environment.image.pixel(x, y)[c] = is_sun ? 12.0f : 0.2f + 0.02f * static_cast<float>(y);
     }
   }
   add_floor(builder, builder.add_material(glossy(0, 0.5f, Vec3(0.5f))));
@@ -104,14 +106,16 @@ void partly_there(SceneBuilder& builder) {
 /// An instanced, mirrored and stretched emitter.
 void instanced_light(SceneBuilder& builder) {
   builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f, 0.6f, 0.4f)), true);
-  const auto mesh = builder.add_quad(Vec3(-1, 0, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(emitter(Vec3(4))));
+  const auto mesh =
+      builder.add_quad(Vec3(-1, 0, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(emitter(Vec3(4))));
   Scene& scene = builder.scene;
   Instance& first = scene.instances.back();  // the quad faces down
   first.is_world_space = false;
   first.to_world = {Mat3(1.5f, 0, 0, 0, 1, 0, 0, 0, 0.8f), Vec3(0, 2, 0)};
   const std::uint32_t object = first.object;
   // Mirrored in y: its front faces up, at the floor's side of the room it shines onto the ceiling.
-  scene.instances.push_back({"mirrored", object, {Mat3(0.7f, 0, 0, 0, -1, 0, 0, 0.2f, 0.7f), Vec3(0.5f, -1.5f, 0)}, false});
+  scene.instances.push_back(
+      {"mirrored", object, {Mat3(0.7f, 0, 0, 0, -1, 0, 0, 0.2f, 0.7f), Vec3(0.5f, -1.5f, 0)}, false});
   EXPECT_EQ(scene.objects[object].first_mesh, mesh);
 }
 

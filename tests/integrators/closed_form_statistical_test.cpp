@@ -25,12 +25,14 @@ struct NamedIntegrator {
 
 class ClosedForm : public testing::TestWithParam<NamedIntegrator> {};
 
-// A closed box whose walls emit e and reflect a, diffusely: every bounce adds e a^k, so radiance is e / (1 - a) everywhere.
+// A closed box whose walls emit e and reflect a, diffusely: every bounce adds e a^k, so radiance is e / (1 - a)
+// everywhere.
 TEST_P(ClosedForm, FurnaceBoxIsAGeometricSeries) {
   for (const auto& [albedo, expected] : {std::pair(0.5f, 2.0f), std::pair(0.8f, 5.0f)}) {
     SceneBuilder builder;
     builder.add_cube(Vec3(0, 1, 0), 4, builder.add_diffuse(Vec3(albedo), Vec3(1)), true);
-    expect_radiance(estimate_radiance(Stage(builder.scene), GetParam().function, down_to_origin, 40000), Vec3(expected));
+    expect_radiance(estimate_radiance(Stage(builder.scene), GetParam().function, down_to_origin, 40000),
+                    Vec3(expected));
   }
 }
 
@@ -53,13 +55,15 @@ TEST_P(ClosedForm, UniformSphereHidesLosslessSurfaces) {
       builder.add_sphere(Vec3(0), 10, builder.add_diffuse(Vec3(0), Vec3(1)));
       builder.add_quad(Vec3(-1, 0, 1), Vec3(2, 0, 0), Vec3(0, 0, -2), builder.add_material(m));
       const Estimate e = estimate_radiance(Stage(builder.scene), GetParam().function, down_to_origin, 20000);
-      EXPECT_NEAR(e.mean.x, 1, 0.005f + 6 * e.standard_error.x) << "roughness " << roughness << " metallic " << metallic;
+      EXPECT_NEAR(e.mean.x, 1, 0.005f + 6 * e.standard_error.x)
+          << "roughness " << roughness << " metallic " << metallic;
       EXPECT_LT(e.standard_error.x, 0.01f);
     }
   }
 }
 
-// A glass ball in light from everywhere is invisible: what Fresnel and total reflection send one way, they take from the other.
+// A glass ball in light from everywhere is invisible: what Fresnel and total reflection send one way, they take from
+// the other.
 TEST_P(ClosedForm, GlassBallInUniformLightIsInvisible) {
   SceneBuilder builder;
   Material glass = lossless_plastic(0);
@@ -69,8 +73,8 @@ TEST_P(ClosedForm, GlassBallInUniformLightIsInvisible) {
   expect_radiance(estimate_radiance(Stage(builder.scene), GetParam().function, down_to_origin, 20000), Vec3(1));
 }
 
-// A slab of thickness 1 and index 1 (no reflection) that leaves c over after its attenuation distance of 0.5: seen straight through,
-// c^2 of the radiance behind it arrives (Beer-Lambert).
+// A slab of thickness 1 and index 1 (no reflection) that leaves c over after its attenuation distance of 0.5: seen
+// straight through, c^2 of the radiance behind it arrives (Beer-Lambert).
 TEST_P(ClosedForm, VolumeAttenuatesByBeerLambert) {
   SceneBuilder builder;
   Material m = lossless_plastic(0);
@@ -86,7 +90,8 @@ TEST_P(ClosedForm, VolumeAttenuatesByBeerLambert) {
 }
 
 // A square light of half side a, h above a diffuse plane: the point under its centre sees the configuration factor
-// F = 4 / (2 pi) * 2 * A / sqrt(1 + A^2) * atan(A / sqrt(1 + A^2)), A = a / h (Howell, factor B-3), and shows albedo L F.
+// F = 4 / (2 pi) * 2 * A / sqrt(1 + A^2) * atan(A / sqrt(1 + A^2)), A = a / h (Howell, factor B-3), and shows albedo L
+// F.
 TEST_P(ClosedForm, SquareLightOverAPlane) {
   SceneBuilder builder;
   const float half = 1, height = 2, ratio = half / height;

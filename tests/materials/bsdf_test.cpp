@@ -117,7 +117,8 @@ TEST(Bsdf, NoClosureGainsEnergy) {
   }
 }
 
-// Snell's law and exact Fresnel reflectance at a smooth interface: at 30 degrees from air into 1.5 the refracted sine is 1/3.
+// Snell's law and exact Fresnel reflectance at a smooth interface: at 30 degrees from air into 1.5 the refracted sine
+// is 1/3.
 TEST(Bsdf, SmoothGlassObeysSnellAndFresnel) {
   Material m;
   m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1;

@@ -54,10 +54,11 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
       {"diffuse", with(white(r), [](Material& m) { m.specular = 0; }), true},
       {"plastic", white(r), true},
       {"grey_plastic", with(white(r), [](Material& m) { m.base_color = Vec4(0.2f, 0.5f, 0.7f, 1); })},
-      {"coloured_specular", with(white(r), [](Material& m) {
-         m.specular = 0.7f;
-         m.specular_color = Vec3(1, 0.4f, 0.1f);
-       })},
+      {"coloured_specular", with(white(r),
+                                 [](Material& m) {
+                                   m.specular = 0.7f;
+                                   m.specular_color = Vec3(1, 0.4f, 0.1f);
+                                 })},
       {"high_ior_plastic", with(white(r), [](Material& m) { m.ior = 2.4f; }), true},
       {"white_metal", metal(r), true},
       {"gold", with(metal(r), [](Material& m) { m.base_color = Vec4(1.0f, 0.77f, 0.34f, 1); })},

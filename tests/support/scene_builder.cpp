@@ -75,7 +75,9 @@ std::uint32_t SceneBuilder::add_sphere(Vec3 center, float radius, std::uint32_t 
 }
 
 Stage::Stage(Scene scene)
-    : scene_(std::move(scene)), accelerator_(make_embree_accelerator(scene_, alpha_filter())), lights_(scene_),
+    : scene_(std::move(scene)),
+      accelerator_(make_embree_accelerator(scene_, alpha_filter())),
+      lights_(scene_),
       tables_(scene_) {}
 
 Estimate estimate_radiance(const Stage& stage, Integrator integrator, const Ray& ray, std::uint32_t samples,

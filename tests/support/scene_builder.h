@@ -50,8 +50,8 @@ struct Estimate {
 Estimate estimate_radiance(const Stage& stage, Integrator integrator, const Ray& ray, std::uint32_t samples,
                            std::uint32_t max_bounces = 4000);
 
-/// Passes when the estimate is within 6 standard errors of the expected value (two-sided normal tail: 2e-9) and those errors
-/// are below 1 % of it, so that the test has power.
+/// Passes when the estimate is within 6 standard errors of the expected value (two-sided normal tail: 2e-9) and those
+/// errors are below 1 % of it, so that the test has power.
 void expect_radiance(const Estimate& estimate, Vec3 expected);
 
 }  // namespace candil::test
