@@ -16,16 +16,16 @@ namespace candil {
 /// always get the same answer.
 struct HitFilter {
   bool (*needs_filter)(const Scene&, const Material&) = nullptr;
-  /// `normal` is the geometric normal of the triangle in object space, `direction` the ray's there; both unnormalised.
+  /// `is_front_face`: the ray comes from the side that sees the triangle's vertices counter-clockwise in object space.
   bool (*accept)(const Scene&, const Ray& world_ray, const Hit&, bool is_front_face) = nullptr;
 };
 
 class Accelerator {
  public:
   virtual ~Accelerator() = default;
-  /// The nearest accepted hit with t in [0, ray.t_max).
+  /// The nearest accepted hit with t in [0, ray.t_max].
   virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
-  /// Whether there is any accepted hit with t in [0, ray.t_max).
+  /// Whether there is any accepted hit with t in [0, ray.t_max].
   virtual bool occluded(const Ray& ray) const = 0;
   /// Bytes that the hierarchy occupies, the scene itself not counted.
   virtual std::size_t memory_bytes() const = 0;

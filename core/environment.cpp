@@ -98,7 +98,7 @@ EnvironmentLight::Sample EnvironmentLight::sample(Vec2 u) const {
 
 float EnvironmentLight::pdf(Vec3 direction) const {
   if (distribution_.is_empty()) return pdf_sphere;
-  const float sin_theta = safe_sqrt(1 - sqr(direction.y));
+  const float sin_theta = glm::length(Vec2(direction.x, direction.z));  // exact near the poles too
   return sin_theta > 0 ? distribution_.pdf(to_uv(direction)) / (2 * pi * pi * sin_theta) : 0;
 }
 

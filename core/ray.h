@@ -8,7 +8,7 @@ namespace candil {
 struct Ray {
   Vec3 origin{0.0f};         ///< Metres, world space.
   Vec3 direction{0, 0, -1};  ///< Unit length.
-  float t_max = infinity;    ///< Hits at [0, t_max) count; metres.
+  float t_max = infinity;    ///< Hits at [0, t_max] count; metres.
 };
 
 /// Only ids and the place on the primitive; make_surface_point() looks up the rest for the hits that are shaded.

@@ -117,13 +117,14 @@ class MeshReader {
   std::size_t bytes_left_;  // of geometry, before a file is taken for hostile
 };
 
-/// A node of the scene that is shown.
+/// A node of the scene.
 struct PlacedNode {
   std::size_t node = 0;
   Affine to_world;
+  bool is_visible = true;  ///< KHR_node_visibility of it and its parents: meshes and lights are shown, cameras do not care.
 };
 
-/// All visible nodes of the default scene (else of the first, else of all), parents first. Throws InputError for
+/// All nodes of the default scene (else of the first, else of all), parents first. Throws InputError for
 /// cycles, nodes with two parents and transforms that overflow.
 std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warnings);
 

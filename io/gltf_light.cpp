@@ -44,7 +44,7 @@ void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nod
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = document.model().nodes[placed.node];
     const auto reference = node.extensions.find("KHR_lights_punctual");
-    if (reference == node.extensions.end()) continue;
+    if (reference == node.extensions.end() || !placed.is_visible) continue;
     const auto index = static_cast<std::size_t>(reference->second.Get("light").GetNumberAsInt());
     const std::string place = "extensions.KHR_lights_punctual." + indexed("lights", index);
     std::optional<PunctualLight> light = make_light(document.model().lights[index], place, warnings);

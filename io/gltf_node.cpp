@@ -139,19 +139,20 @@ std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warn
   std::vector<PlacedNode> placed, pending;
   std::vector<bool> is_placed(nodes.size());
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
-    pending.push_back({static_cast<std::size_t>(*root), Affine{}});
+    pending.push_back({static_cast<std::size_t>(*root), Affine{}, true});
   }
   while (!pending.empty()) {
     PlacedNode current = pending.back();
     pending.pop_back();
     const tinygltf::Node& node = nodes[current.node];
-    if (is_placed[current.node] || !is_visible(node)) continue;
+    if (is_placed[current.node]) continue;
     is_placed[current.node] = true;
+    current.is_visible = current.is_visible && is_visible(node);
     const std::string place = indexed("nodes", current.node);
     current.to_world = current.to_world * local_transform(node, place, warnings);
     if (!is_finite(current.to_world)) document.fail(place, "has a transform that overflows");
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-      pending.push_back({static_cast<std::size_t>(*child), current.to_world});
+      pending.push_back({static_cast<std::size_t>(*child), current.to_world, current.is_visible});
     }
     placed.push_back(current);
   }
@@ -166,7 +167,7 @@ void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& 
   std::vector<Bounds> bounds;            // of each object
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = model.nodes[placed.node];
-    if (node.mesh < 0) continue;
+    if (node.mesh < 0 || !placed.is_visible) continue;
     const auto [entry, is_new] = objects.try_emplace(node.mesh, static_cast<std::uint32_t>(scene.objects.size()));
     if (is_new) {
       scene.objects.push_back(reader.read(static_cast<std::size_t>(node.mesh)));

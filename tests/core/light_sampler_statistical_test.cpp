@@ -33,8 +33,8 @@ Material emitter(Vec3 radiance) {
 
 Mesh square(float half_side) {
   Mesh mesh;
-  mesh.positions = {{-half_side, -half_side, 0}, {half_side, -half_side, 0}, {half_side, half_side, 0},
-                    {-half_side, half_side, 0}};
+  mesh.positions = {
+      {-half_side, -half_side, 0}, {half_side, -half_side, 0}, {half_side, half_side, 0}, {-half_side, half_side, 0}};
   mesh.uvs[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
@@ -72,7 +72,8 @@ void PrintTo(const LightScene& scene, std::ostream* stream) { *stream << scene.n
 
 void add_one_sided(SceneBuilder& builder) {
   // Above the origin, front downwards.
-  builder.add_quad(Vec3(-1, 2, -0.5f), Vec3(1.5f, 0, 0), Vec3(0, 0.3f, 1), builder.add_material(emitter(Vec3(3, 2, 1))));
+  builder.add_quad(Vec3(-1, 2, -0.5f), Vec3(1.5f, 0, 0), Vec3(0, 0.3f, 1),
+                   builder.add_material(emitter(Vec3(3, 2, 1))));
 }
 
 void add_facing_away(SceneBuilder& builder) {
@@ -103,7 +104,7 @@ void add_blended(SceneBuilder& builder) {
 /// One square used three times: moved, mirrored, stretched. All fronts but the last one's see the origin.
 void add_instanced(SceneBuilder& builder) {
   builder.add_mesh(square(0.5f), builder.add_material(emitter(Vec3(5, 5, 2))));
-  const Mat3 down(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, -1, 0));     // +z turned to -y
+  const Mat3 down(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, -1, 0));          // +z turned to -y
   const Mat3 stretched(Vec3(0, 0, -2), Vec3(0, 0.5f, 0), Vec3(1, 0, 0));  // +z turned to +x
   const Mat3 mirrored(Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1));
   builder.scene.instances = {{"", 0, Affine{down, Vec3(0.5f, 2, 0)}, false},
@@ -132,11 +133,15 @@ void add_everything(SceneBuilder& builder) {
 }
 
 const std::array light_scenes = {
-    LightScene{"one_sided", add_one_sided},       LightScene{"facing_away", add_facing_away},
-    LightScene{"two_sided", add_two_sided},       LightScene{"textured", add_textured},
-    LightScene{"blended", add_blended},           LightScene{"instanced", add_instanced},
+    LightScene{"one_sided", add_one_sided},
+    LightScene{"facing_away", add_facing_away},
+    LightScene{"two_sided", add_two_sided},
+    LightScene{"textured", add_textured},
+    LightScene{"blended", add_blended},
+    LightScene{"instanced", add_instanced},
     LightScene{"constant_environment", add_constant_environment},
-    LightScene{"image_environment", add_image_environment}, LightScene{"everything", add_everything},
+    LightScene{"image_environment", add_image_environment},
+    LightScene{"everything", add_everything},
 };
 
 class Lights : public testing::TestWithParam<LightScene> {
@@ -253,7 +258,8 @@ TEST_P(Lights, SamplesAddUpToTheIrradiance) {
       const float pick = random.next_1d();
       const std::optional<LightSample> sample = lights_->sample(from, pick, random.next_2d());
       const bool counts = sample && !sample->is_delta;
-      sampled.add(counts ? luminance(sample->radiance) * glm::max(0.0f, glm::dot(sample->wi, normal)) / sample->pdf : 0);
+      sampled.add(counts ? luminance(sample->radiance) * glm::max(0.0f, glm::dot(sample->wi, normal)) / sample->pdf
+                         : 0);
     }
     // Stratified over 700 x 700 cells of a cosine-weighted hemisphere: mean radiance times pi.
     constexpr int side = 700;
@@ -303,8 +309,8 @@ TEST_P(Lights, DirectionsFollowTheDensity) {
   EXPECT_GT(chi_square_test(observed, expected).p_value, significance);
 }
 
-// A point behind a light gets nothing from it, and no numbers at the rim of [0, 1) make a bad sample, wherever the point
-// is: in the plane of a light, at one of its corners, on it.
+// A point behind a light gets nothing from it, and no numbers at the rim of [0, 1) make a bad sample, wherever the
+// point is: in the plane of a light, at one of its corners, on it.
 TEST_P(Lights, ExtremeNumbersAndPlacesGiveSoundSamples) {
   const std::array numbers = {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, one_minus_epsilon};
   for (const Vec3 position : {Vec3(0), Vec3(-1, 2, -0.5f), Vec3(0, 2.5f, 0), Vec3(0, 1.5f, 0), Vec3(-1, 1.5f, 5),
@@ -385,116 +391,6 @@ TEST(LightSampler, WithoutLightsIsEmpty) {
   EXPECT_TRUE(lights.is_empty());
   EXPECT_EQ(lights.pdf_hit(Vec3(0, 0, 1), make_surface_point(builder.scene, Hit{})), 0);
   EXPECT_EQ(lights.pdf_miss(Vec3(0, 1, 0)), 0);
-}
-
-Environment image_environment(Image image, float rotation) {
-  Environment environment;
-  environment.tint = Vec3(1);
-  environment.image = std::move(image);
-  environment.rotation = rotation;
-  return environment;
-}
-
-TEST(EnvironmentLight, SamplesFollowTheDensity) {
-  for (const float rotation : {0.0f, 1.1f, -4.0f}) {
-    const Environment environment = image_environment(uneven_image(), rotation);
-    const EnvironmentLight light(environment);
-    // The chi-square grid's axis is +z, the image's +y: the borders of cells and texels have nothing to do with each other.
-    const auto sample = [&](Random& random) { return std::optional(light.sample(random.next_2d()).direction); };
-    const auto pdf = [&](Vec3 direction) { return light.pdf(direction); };
-    const ChiSquareResult result = test_directions(sample, pdf, 200000, 1, {12, 24});
-    EXPECT_GT(result.p_value, significance) << rotation;
-  }
-}
-
-TEST(EnvironmentLight, ConstantIsUniform) {
-  Environment environment;
-  environment.tint = Vec3(1, 2, 3);
-  const EnvironmentLight light(environment);
-  EXPECT_EQ(light.radiance(Vec3(0, -1, 0)), environment.tint);
-  EXPECT_FLOAT_EQ(light.pdf(Vec3(1, 0, 0)), 1 / (4 * pi));
-  const auto sample = [&](Random& random) { return std::optional(light.sample(random.next_2d()).direction); };
-  EXPECT_GT(test_directions(sample, [&](Vec3 d) { return light.pdf(d); }, 50000).p_value, significance);
-}
-
-// A picture whose red grows to the right, whose green grows downwards: values at texel centres are exact.
-Image orientation_image() {
-  Image image(4, 2, 3);
-  for (int y = 0; y < 2; ++y) {
-    for (int x = 0; x < 4; ++x) {
-      image.pixel(x, y)[0] = static_cast<float>(x);
-      image.pixel(x, y)[1] = static_cast<float>(y);
-    }
-  }
-  return image;
-}
-
-/// Longitude to the right of the image's centre, and latitude, both in degrees.
-Vec3 direction_of(float longitude, float latitude) {
-  const float phi = glm::radians(longitude), height = glm::radians(latitude);
-  return {std::cos(height) * std::sin(phi), std::sin(height), -std::cos(height) * std::cos(phi)};
-}
-
-// Centre along -Z, right half towards +X, top at +Y: texel centres lie at longitudes -135, -45, 45, 135 and at
-// latitudes 45 and -45.
-TEST(EnvironmentLight, ImageHasItsPlaceInTheWorld) {
-  const Environment environment = image_environment(orientation_image(), 0);
-  const EnvironmentLight light(environment);
-  for (int x = 0; x < 4; ++x) {
-    for (int y = 0; y < 2; ++y) {
-      const Vec3 radiance = light.radiance(direction_of(-135 + 90 * static_cast<float>(x), y == 0 ? 45.0f : -45.0f));
-      EXPECT_NEAR(radiance.x, x, 1e-5f);
-      EXPECT_NEAR(radiance.y, y, 1e-5f);
-    }
-  }
-  EXPECT_NEAR(light.radiance(Vec3(0, 0, -1)).x, 1.5f, 1e-5f);  // between the middle columns
-  EXPECT_NEAR(light.radiance(Vec3(0, 0, 1)).x, 1.5f, 1e-5f);   // between the last and the first, which are neighbours
-  EXPECT_NEAR(light.radiance(Vec3(1, 0, 0)).x, 2.5f, 1e-5f);
-  EXPECT_NEAR(light.radiance(Vec3(0, 1, 0)).y, 0, 1e-5f);
-  EXPECT_NEAR(light.radiance(Vec3(0, -1, 0)).y, 1, 1e-5f);
-}
-
-// Counter-clockwise seen from above by 90 degrees: what was along -Z (away) is along -X (left).
-TEST(EnvironmentLight, RotationIsCounterClockwiseFromAbove) {
-  const Environment before = image_environment(uneven_image(), 0), after = image_environment(uneven_image(), pi / 2);
-  const EnvironmentLight plain(before), rotated(after);
-  Random random(6);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3 d = sample_sphere(random.next_2d());
-    const Vec3 turned(d.z, d.y, -d.x);  // -Z to -X, +X to -Z
-    const float expected = plain.radiance(d).x;
-    EXPECT_NEAR(rotated.radiance(turned).x, expected, 1e-3f + 1e-4f * expected);
-  }
-}
-
-// mean_luminance() is the mean over the sphere, up to how the grid of weights treats sin(theta) within a row.
-TEST(EnvironmentLight, MeanLuminanceIsTheMeanOverTheSphere) {
-  const Environment environment = image_environment(uneven_image(), 0.3f);
-  const EnvironmentLight light(environment);
-  double sum = 0;
-  constexpr int side = 600;
-  for (int i = 0; i < side * side; ++i) {
-    const Vec2 u = (Vec2(i % side, i / side) + 0.5f) / static_cast<float>(side);
-    sum += luminance(light.radiance(sample_sphere(u))) / (side * side);
-  }
-  EXPECT_NEAR(light.mean_luminance(), sum, 0.1 * sum);  // rows of 45 degrees
-}
-
-// Wherever there is light, there is density: an estimator without it would lose that light.
-TEST(EnvironmentLight, DensityIsPositiveWhereverThereIsLight) {
-  Image image(8, 4, 3);
-  for (int c = 0; c < 3; ++c) image.pixel(7, 1)[c] = 1;  // at the seam
-  const Environment environment = image_environment(image, 0);
-  const EnvironmentLight light(environment);
-  Random random(7);
-  int lit = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const Vec3 d = sample_sphere(random.next_2d());
-    if (light.radiance(d).x <= 0) continue;
-    ++lit;
-    EXPECT_GT(light.pdf(d), 0) << d.x << ' ' << d.y << ' ' << d.z;
-  }
-  EXPECT_GT(lit, 1000);
 }
 
 }  // namespace

@@ -8,17 +8,20 @@
 namespace candil {
 namespace {
 
-/// One triangle, one instance. Normals bend away from the flat one; tangents are not orthogonal to anything in particular.
+/// One triangle, one instance. Normals bend away from the flat one; tangents are not orthogonal to anything in
+/// particular.
 Scene triangle_scene(const Affine& to_world, bool is_smooth = true) {
   Mesh mesh;
   mesh.positions = {{0.2f, -0.1f, 0.3f}, {1.4f, 0.2f, 0.1f}, {0.3f, 1.1f, -0.4f}};
   mesh.triangles = {{0, 1, 2}};
-  const Vec3 flat = glm::normalize(glm::cross(mesh.positions[1] - mesh.positions[0], mesh.positions[2] - mesh.positions[0]));
+  const Vec3 flat =
+      glm::normalize(glm::cross(mesh.positions[1] - mesh.positions[0], mesh.positions[2] - mesh.positions[0]));
   if (is_smooth) {
     for (const Vec3 bend : {Vec3(0.3f, 0, 0), Vec3(0, 0.2f, 0.1f), Vec3(-0.1f, 0, -0.2f)}) {
       mesh.normals.push_back(glm::normalize(flat + bend));
     }
-    for (const Vec3 n : mesh.normals) mesh.tangents.emplace_back(glm::normalize(glm::cross(n, Vec3(0.3f, 1, 0.2f))), -1);
+    for (const Vec3 n : mesh.normals)
+      mesh.tangents.emplace_back(glm::normalize(glm::cross(n, Vec3(0.3f, 1, 0.2f))), -1);
   }
   mesh.uvs[0] = {{0, 0}, {1, 0}, {0, 1}};
   mesh.uvs[1] = {{5, 5}, {6, 5}, {5, 7}};
@@ -40,8 +43,8 @@ Hit hit_at(float b, float c) {
 const std::array transforms = {
     Affine{},
     Affine{Mat3(1), Vec3(10, -20, 30)},
-    Affine{Mat3(Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)), Vec3(1, 2, 3)},                  // mirrored
-    Affine{Mat3(Vec3(3, 0, 0), Vec3(0, 0.2f, 0), Vec3(0, 0, 1)), Vec3(0)},                      // stretched
+    Affine{Mat3(Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)), Vec3(1, 2, 3)},                   // mirrored
+    Affine{Mat3(Vec3(3, 0, 0), Vec3(0, 0.2f, 0), Vec3(0, 0, 1)), Vec3(0)},                       // stretched
     Affine{Mat3(Vec3(0.5f, 0.2f, 0), Vec3(-0.4f, 2, 0.3f), Vec3(0, 0.6f, -1)), Vec3(-1, 0, 4)},  // all of it, mirrored
     Affine{Mat3(1e-3f), Vec3(0)},
     Affine{Mat3(-1e4f), Vec3(5)},
@@ -93,15 +96,16 @@ TEST(SurfacePoint, FlatNormalIsOnTheFrontUnderAnyTransform) {
   }
 }
 
-// Normals go with M^-T, front side kept; tangents with M; the handedness changes where the transform mirrors, so that the
-// bitangent too stays what M makes of it: on the surface's side that it was on.
+// Normals go with M^-T, front side kept; tangents with M; the handedness changes where the transform mirrors, so that
+// the bitangent too stays what M makes of it: on the surface's side that it was on.
 TEST(SurfacePoint, ShadingFrameFollowsTheTransform) {
   const Scene local = triangle_scene(Affine{});
   const SurfacePoint before = make_surface_point(local, hit_at(0.2f, 0.5f));
   for (const Affine& transform : transforms) {
     const Scene scene = triangle_scene(transform);
     const SurfacePoint point = make_surface_point(scene, hit_at(0.2f, 0.5f));
-    expect_near(point.position, transform.point(before.position), 1e-5f * (1 + glm::length(point.position)), "position");
+    expect_near(point.position, transform.point(before.position), 1e-5f * (1 + glm::length(point.position)),
+                "position");
     const Vec3 normal = glm::normalize(glm::transpose(glm::inverse(transform.linear)) * before.normal);
     expect_near(point.normal, normal, 1e-4f, "normal");
     EXPECT_GT(glm::dot(point.normal, point.normal_geometric), 0);
@@ -147,7 +151,9 @@ TEST(SurfacePoint, OffsetReachesTheRightSide) {
     const Scene scene = triangle_scene(transform);
     const Mesh& mesh = scene.meshes[0];
     const glm::dmat3 linear(transform.linear);
-    const auto exact = [&](int i) { return linear * glm::dvec3(mesh.positions[i]) + glm::dvec3(transform.translation); };
+    const auto exact = [&](int i) {
+      return linear * glm::dvec3(mesh.positions[i]) + glm::dvec3(transform.translation);
+    };
     const glm::dvec3 a = exact(0), b = exact(1), c = exact(2);
     for (int i = 0; i < 400; ++i) {
       const float u = (static_cast<float>(i % 20) + 0.5f) / 20, v = (static_cast<float>(i / 20) + 0.5f) / 20;

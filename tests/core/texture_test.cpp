@@ -152,8 +152,8 @@ TEST(Texture, OneTexelIsConstant) {
   }
 }
 
-// Colours are decoded before they are mixed; alpha is linear. IEC 61966-2-1: byte 188 is 0.502887 linear; halfway between
-// black and white is 0.5 of the light, not byte 128.
+// Colours are decoded before they are mixed; alpha is linear. IEC 61966-2-1: byte 188 is 0.502887 linear; halfway
+// between black and white is 0.5 of the light, not byte 128.
 TEST(Texture, SrgbIsDecodedBeforeFiltering) {
   Scene scene;
   TextureImage image;

@@ -31,9 +31,11 @@ BruteForce::BruteForce(const Scene& scene, BackFaces back_faces) {
     for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
       const Mesh& mesh = scene.meshes[m];
       const Material& material = scene.materials[mesh.material];
-      const bool is_back_invisible = back_faces == BackFaces::as_materials_say && !material.is_double_sided &&
-                                     !material.is_transmissive();
-      const auto world = [&](std::uint32_t vertex) { return linear * glm::dvec3(mesh.positions[vertex]) + translation; };
+      const bool is_back_invisible =
+          back_faces == BackFaces::as_materials_say && !material.is_double_sided && !material.is_transmissive();
+      const auto world = [&](std::uint32_t vertex) {
+        return linear * glm::dvec3(mesh.positions[vertex]) + translation;
+      };
       for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle triangle = mesh.triangles[t];
         const bool is_world_space = instance.is_world_space;
@@ -46,8 +48,8 @@ BruteForce::BruteForce(const Scene& scene, BackFaces back_faces) {
 }
 
 // Moeller and Trumbore 1997. The error bounds are of a float implementation that subtracts the ray's origin from the
-// vertices and takes products of edges, vertices and direction. With u = 2^-24, L the largest distance of a vertex from the
-// origin, E the longest edge and N = cross of two edges:
+// vertices and takes products of edges, vertices and direction. With u = 2^-24, L the largest distance of a vertex from
+// the origin, E the longest edge and N = cross of two edges:
 // - subtracting moves a vertex by u L; the three edge functions, sums of products of size E L, are off by a few u E L;
 //   divided by their sum |d . N|, barycentric coordinates are off by k u E L / |d . N|;
 // - t = (v . N) / (d . N): N is off by a few u E L, v by u L, hence t by k u E L (L + t) / |d . N|, where t <= L.
@@ -121,8 +123,7 @@ BruteForce::Verdict BruteForce::judge(const Ray& ray, const std::optional<Hit>& 
     } else if (std::abs(answer->t - named->t) > named->t_error) {
       complaint << "t is " << answer->t << ", not " << named->t << " within " << named->t_error;
     } else if (glm::length(answer->barycentric - named->barycentric) > 2 * named->barycentric_error + 1e-6) {
-      complaint << "barycentric coordinates are off by "
-                << glm::length(answer->barycentric - named->barycentric);
+      complaint << "barycentric coordinates are off by " << glm::length(answer->barycentric - named->barycentric);
     } else if (nearest_certain && nearest_certain->t + nearest_certain->t_error < answer->t - named->t_error) {
       complaint << "hit at " << answer->t << ", but there is a nearer one at " << nearest_certain->t;
     }

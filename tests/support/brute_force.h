@@ -1,5 +1,5 @@
-/// The plainest way to find what a ray hits: every triangle, one after the other, in double precision. Judges the answers of
-/// accelerators.
+/// The plainest way to find what a ray hits: every triangle, one after the other, in double precision. Judges the
+/// answers of accelerators.
 #pragma once
 
 #include <optional>
@@ -17,14 +17,15 @@ struct Crossing {
   Vec2 barycentric{0.0f};
   double barycentric_error = 0;
   std::uint32_t instance = 0, mesh = 0, triangle = 0;
-  bool is_certain = false;    ///< Further than the error inside of the triangle's edges and the ray's interval.
+  bool is_certain = false;  ///< Further than the error inside of the triangle's edges and the ray's interval.
 };
 
 class BruteForce {
  public:
   enum class BackFaces { visible, as_materials_say };
 
-  /// `as_materials_say`: the back of a material that is neither double-sided nor transmissive is invisible. Knows no alpha.
+  /// `as_materials_say`: the back of a material that is neither double-sided nor transmissive is invisible. Knows no
+  /// alpha.
   BruteForce(const Scene& scene, BackFaces back_faces);
 
   std::vector<Crossing> crossings(const Ray& ray) const;
