@@ -1,6 +1,7 @@
 #include "core/film.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -22,9 +23,7 @@ void PairwiseSum::add(const PixelSums& sample) {
 
 PixelSums PairwiseSum::total() const {
   PixelSums sum{};
-  for (int level = 0; level < max_levels; ++level) {
-    if ((count_ >> level) & 1) sum += levels_[level];
-  }
+  for (std::uint32_t levels = count_; levels != 0; levels &= levels - 1) sum += levels_[std::countr_zero(levels)];
   return sum;
 }
 

@@ -8,8 +8,10 @@
 
 namespace candil {
 
-/// A bijection of 32-bit integers that mixes well (constants: Chris Wellons, "hash prospector", lowbias32).
-inline std::uint32_t hash(std::uint32_t x) {
+/// A bijection of 32-bit integers (or vectors of them, lane by lane) that mixes well (constants: Chris Wellons, "hash
+/// prospector", lowbias32).
+template <typename Integer>
+Integer hash(Integer x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
   x ^= x >> 15;
@@ -18,7 +20,8 @@ inline std::uint32_t hash(std::uint32_t x) {
   return x;
 }
 
-inline std::uint32_t hash_combine(std::uint32_t seed, std::uint32_t value) {
+template <typename Integer>
+Integer hash_combine(Integer seed, Integer value) {
   return hash(seed ^ (value * 0x9e3779b9U + 0x7f4a7c15U));
 }
 

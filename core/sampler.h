@@ -5,13 +5,20 @@
 /// 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Since there is no state, nothing depends on who asks when.
 #pragma once
 
+#include <array>
+
 #include "core/hash.h"
 
 namespace candil {
 
-/// Bits in reverse order.
-inline std::uint32_t reverse_bits(std::uint32_t x) {
-  x = __builtin_bswap32(x);
+/// Eight integers that are worked on together, one in each lane of a vector register.
+using Lanes = std::uint32_t __attribute__((vector_size(32)));
+
+/// Bits in reverse order. All functions below take an integer or eight.
+template <typename Integer>
+Integer reverse_bits(Integer x) {
+  x = ((x & 0x0000ffffU) << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffU) << 8) | ((x >> 8) & 0x00ff00ffU);
   x = ((x & 0x0f0f0f0fU) << 4) | ((x >> 4) & 0x0f0f0f0fU);
   x = ((x & 0x33333333U) << 2) | ((x >> 2) & 0x33333333U);
   return ((x & 0x55555555U) << 1) | ((x >> 1) & 0x55555555U);
@@ -19,7 +26,8 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
 
 /// Permutes integers such that each bit depends on the bits below it only: an Owen scrambling of the bit-reversed value
 /// (Laine and Karras 2011, with the constants of Nathan Vegdahl 2021).
-inline std::uint32_t laine_karras_permutation(std::uint32_t x, std::uint32_t seed) {
+template <typename Integer>
+Integer laine_karras_permutation(Integer x, Integer seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;
   x *= (seed >> 16) | 1U;
@@ -30,7 +38,8 @@ inline std::uint32_t laine_karras_permutation(std::uint32_t x, std::uint32_t see
 
 /// The second Sobol dimension of an index, bits reversed. Its generator is Pascal's triangle modulo 2: bit j is
 /// the exclusive or of all index bits whose position contains j as a set of binary digits, done here a digit at a time.
-inline std::uint32_t sobol_second_dimension_reversed(std::uint32_t index) {
+template <typename Integer>
+Integer sobol_second_dimension_reversed(Integer index) {
   index ^= (index >> 1) & 0x55555555U;
   index ^= (index >> 2) & 0x33333333U;
   index ^= (index >> 4) & 0x0f0f0f0fU;
@@ -47,20 +56,39 @@ class Sampler {
   Vec2 sample_2d(std::uint32_t dimension) const {
     const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
     const std::uint32_t index = shuffled_index(dimension_seed);
-    const std::uint32_t x = laine_karras_permutation(index, dimension_seed * 0x9e3779b9U);
+    const std::uint32_t x = laine_karras_permutation(index, dimension_seed * x_scramble);
     const std::uint32_t y =
-        laine_karras_permutation(sobol_second_dimension_reversed(index), dimension_seed * 0xc2b2ae35U);
+        laine_karras_permutation(sobol_second_dimension_reversed(index), dimension_seed * y_scramble);
     return {to_unit_float(reverse_bits(x)), to_unit_float(reverse_bits(y))};
+  }
+
+  /// sample_2d() of four dimensions in a row, to the bit, for little more than the price of one.
+  std::array<Vec2, 4> sample_four_2d(std::uint32_t first_dimension) const {
+    // Lanes 0 to 3 become the x of the four points, 4 to 7 the y.
+    const Lanes offset = {0, 1, 2, 3, 0, 1, 2, 3};
+    const Lanes is_y = {0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U};
+    const Lanes scramble = {x_scramble, x_scramble, x_scramble, x_scramble,
+                            y_scramble, y_scramble, y_scramble, y_scramble};
+    const Lanes seed = hash_combine(pixel_seed_ + Lanes{}, first_dimension + offset);
+    const Lanes index = reverse_bits(laine_karras_permutation(reversed_index_ + Lanes{}, seed));
+    const Lanes sobol = (index & ~is_y) | (sobol_second_dimension_reversed(index) & is_y);
+    const Lanes point = reverse_bits(laine_karras_permutation(sobol, seed * scramble));
+    std::array<Vec2, 4> points;
+    for (int i = 0; i < 4; ++i) points[i] = {to_unit_float(point[i]), to_unit_float(point[i + 4])};
+    return points;
   }
 
   /// The first number of sample_2d(dimension).
   float sample_1d(std::uint32_t dimension) const {
     const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
-    const std::uint32_t x = laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * 0x9e3779b9U);
+    const std::uint32_t x = laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * x_scramble);
     return to_unit_float(reverse_bits(x));
   }
 
  private:
+  // Odd factors that turn the seed of a dimension into those of its two scramblings.
+  static constexpr std::uint32_t x_scramble = 0x9e3779b9U, y_scramble = 0xc2b2ae35U;
+
   static std::uint32_t pixel_seed(glm::uvec2 pixel, std::uint64_t seed) {
     const auto low = static_cast<std::uint32_t>(seed), high = static_cast<std::uint32_t>(seed >> 32);
     return hash_combine(hash_combine(hash_combine(hash(low), high), pixel.x), pixel.y);

@@ -27,14 +27,9 @@ PathSample show_albedo(const RenderContext&, const RenderSettings&, const Ray&, 
 
 Integrator integrator_function(IntegratorKind kind);
 
-/// Sampler dimensions, so that one path's numbers for one purpose are the same whatever else is drawn.
+/// Sampler dimensions: the camera's, then four for each vertex (see VertexSamples).
 namespace dimension {
 inline constexpr std::uint32_t filter = 0, lens = 1, first_vertex = 2, per_vertex = 4;
-/// Within a vertex.
-inline constexpr std::uint32_t light_point = 0, choices = 1, direction = 2, roulette = 3;
-inline std::uint32_t of_vertex(std::uint32_t bounce, std::uint32_t purpose) {
-  return first_vertex + bounce * per_vertex + purpose;
-}
 }  // namespace dimension
 
 }  // namespace candil

@@ -24,10 +24,9 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
         state.throughput * emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
     if (state.bounce >= settings.max_bounces) break;
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
-    const float u_lobe = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::choices)).y;
-    const Vec2 u_direction = sampler.sample_2d(dimension::of_vertex(state.bounce, dimension::direction));
-    if (!scatter(state, context.scene, point, bsdf, u_lobe, u_direction)) break;
-    if (!survives_roulette(state, sampler)) break;
+    const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
+    if (!scatter(state, context.scene, point, bsdf, u.choices.y, u.direction)) break;
+    if (!survives_roulette(state, u.roulette)) break;
     ++rays.bounce;
   }
   return {state.radiance, 1};

@@ -28,15 +28,6 @@ Vec3 direct_light(const RenderContext& context, const SurfacePoint& point, const
   return radiance;
 }
 
-/// The random numbers of a vertex, drawn together.
-struct VertexSamples {
-  Vec2 choices, light, direction;  // x of the choices: which light; y: which lobe
-  VertexSamples(const Sampler& sampler, std::uint32_t bounce)
-      : choices(sampler.sample_2d(dimension::of_vertex(bounce, dimension::choices))),
-        light(sampler.sample_2d(dimension::of_vertex(bounce, dimension::light_point))),
-        direction(sampler.sample_2d(dimension::of_vertex(bounce, dimension::direction))) {}
-};
-
 /// Weight of light that the closure's own sample ran into.
 float weight_of_found_light(const PathState& state, float light_pdf) {
   return state.is_specular ? 1.0f : mis_weight(state.bsdf_pdf, light_pdf);
@@ -58,7 +49,7 @@ PathSample trace_path(const RenderContext& context, const RenderSettings& settin
       break;
     }
     prefetch_triangle(context.scene, *hit);
-    const VertexSamples u(sampler, state.bounce);
+    const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
     if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
 
     const SurfacePoint point = make_surface_point(context.scene, *hit);
@@ -76,7 +67,7 @@ PathSample trace_path(const RenderContext& context, const RenderSettings& settin
           state.throughput * direct_light(context, point, bsdf, wo, u.choices.x, u.light, state.medium, rays);
     }
     if (!scatter(state, context.scene, point, bsdf, u.choices.y, u.direction)) break;
-    if (!survives_roulette(state, sampler)) break;
+    if (!survives_roulette(state, u.roulette)) break;
     ++rays.bounce;
   }
   return {state.radiance, 1};

@@ -35,11 +35,16 @@ bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, co
   return true;
 }
 
-bool survives_roulette(PathState& state, const Sampler& sampler) {
+VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce) {
+  const std::array<Vec2, 4> u = sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex);
+  return {u[0], u[1], u[2], u[3].x};
+}
+
+bool survives_roulette(PathState& state, float u_roulette) {
   constexpr std::uint32_t first_bounce = 5;
   if (state.bounce < first_bounce) return true;
   const float survival = glm::min(max_component(state.throughput) * state.eta_scale, 0.95f);
-  if (!(sampler.sample_1d(dimension::of_vertex(state.bounce, dimension::roulette)) < survival)) return false;
+  if (!(u_roulette < survival)) return false;
   state.throughput /= survival;
   return true;
 }

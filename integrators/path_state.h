@@ -19,6 +19,16 @@ struct PathState {
   bool sees_backdrop = true;  ///< Camera ray so far, bent at most by specular transmission.
 };
 
+/// The random numbers of a vertex, drawn together: a path uses the same ones for the same purpose whatever happens on it.
+struct VertexSamples {
+  Vec2 light;      ///< Point on the light.
+  Vec2 choices;    ///< x: which light; y: which lobe.
+  Vec2 direction;  ///< Of the closure's sample.
+  float roulette;
+};
+
+VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce);
+
 /// What is left of light after `distance` metres in the volume of a material: Beer-Lambert with the attenuation colour
 /// reached at the attenuation distance (KHR_materials_volume).
 Vec3 volume_transmittance(const Scene& scene, std::uint32_t medium, float distance);
@@ -36,6 +46,6 @@ bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, co
 /// Russian roulette from the fifth vertex on; false when the path ends here. Its probability follows the throughput
 /// without the 1/eta^2 of media, which comes back when the path leaves them (Pharr, Jakob and Humphreys 2023,
 /// section 14.4).
-bool survives_roulette(PathState& state, const Sampler& sampler);
+bool survives_roulette(PathState& state, float u_roulette);
 
 }  // namespace candil

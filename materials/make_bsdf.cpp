@@ -56,6 +56,10 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   }
 
   const Vec3 base(base_color(scene, material, point.uv, point.color));
+  if (!has_specular) {  // Lambertian, whatever the other parameters are
+    bsdf.opaque_.emplace(OpaqueParameters{1, 0, base, Vec3(0), Vec3(0)}, tables.ggx(), Vec3(0, 0, 1));
+    return bsdf;
+  }
   float metallic = material.metallic, roughness = material.roughness;
   if (material.metallic_roughness_texture.is_used()) {
     const Vec4 texel = sample_texture(scene, material.metallic_roughness_texture, point.uv, ColorSpace::linear);
