@@ -78,10 +78,8 @@ CameraChoice look_from(const Scene& scene, const CameraOptions& options, ImageSi
 CameraChoice frame_scene(const Scene& scene, const CameraOptions& options, ImageSize size) {
   const Orbit orbit = options.orbit.value_or(Orbit{});
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  const Bounds bounds = scene_bounds(scene);
-  const Camera camera =
-      options.yfov ? frame_bounds(bounds, orbit.azimuth, orbit.elevation, aspect, orbit.distance, *options.yfov)
-                   : frame_bounds(bounds, orbit.azimuth, orbit.elevation, aspect, orbit.distance);
+  const Camera camera = frame_points(scene_outline(scene), orbit.azimuth, orbit.elevation, aspect, orbit.distance,
+                                     options.yfov.value_or(framing_yfov));
   return {camera, size, fmt::format("orbit {:g},{:g}", glm::degrees(orbit.azimuth), glm::degrees(orbit.elevation))};
 }
 

@@ -9,7 +9,7 @@
 
 namespace candil {
 
-/// Where an automatic camera stands; angles in radians as for frame_bounds().
+/// Where an automatic camera stands; angles in radians as for frame_points().
 struct Orbit {
   float azimuth = 0.6108652f;          ///< 35 degrees.
   float elevation = 0.3490659f;        ///< 20 degrees.

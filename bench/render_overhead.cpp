@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
     settings.samples_per_pixel = argc > 2 ? static_cast<std::uint32_t>(std::atoi(argv[2])) : 16;
     settings.filter = FilterKind::box;
     const int rounds = argc > 3 ? std::atoi(argv[3]) : 5;
-    const Camera camera = scene.cameras.empty() ? frame_bounds(scene_bounds(scene), 0.6f, 0.35f, 1) : scene.cameras[0];
+    const Camera camera = scene.cameras.empty() ? frame_points(scene_outline(scene), 0.6f, 0.35f, 1) : scene.cameras[0];
 
     const Recorder recorder(*accelerator);
     settings.threads = 1;

@@ -48,26 +48,35 @@ Camera look_at(Vec3 from, Vec3 at, float yfov) {
   return camera;
 }
 
-Camera frame_bounds(const Bounds& bounds, float azimuth, float elevation, float aspect, std::optional<float> distance,
-                    float yfov) {
+Camera frame_points(std::span<const Vec3> points, float azimuth, float elevation, float aspect,
+                    std::optional<float> distance, float yfov) {
   constexpr float margin = 1.06f;
-  const Bounds box = bounds.is_empty() ? Bounds{Vec3(-1), Vec3(1)} : bounds;
+  static constexpr Vec3 around_origin[] = {Vec3(-1), Vec3(1)};
+  if (points.empty()) points = around_origin;
+  Bounds box;
+  for (const Vec3 p : points) box.add(p);
   const Vec3 back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                   std::cos(elevation) * std::cos(azimuth));
   Camera camera = look_at(box.center() + back, box.center(), yfov);
-  const Vec3 right = camera.to_world.linear[0], up = camera.to_world.linear[1];
-  const float tan_y = std::tan(0.5f * yfov), tan_x = tan_y * aspect;
-  float fitting = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p = Vec3(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                        corner & 4 ? box.high.z : box.low.z) -
-                   box.center();
-    const float across = glm::max(std::abs(glm::dot(p, right)) / tan_x, std::abs(glm::dot(p, up)) / tan_y);
-    fitting = glm::max(fitting, glm::dot(p, back) + margin * across);
+  const Mat3& axes = camera.to_world.linear;
+  Vec3 eye(0, 0, distance.value_or(0));  // from the centre along the camera's axes
+  if (!distance) {
+    // An eye at (x, y, d) sees a point p if |p.x - x| <= t (d - p.z), t the tangent of the half angle, and the same for
+    // y. The nearest such eye has high - low = 2 t d for the larger of the two axes, and sits midway on both.
+    const float tan_y = std::tan(0.5f * yfov) / margin;
+    const Vec2 tangent(tan_y * aspect, tan_y);
+    Vec2 high(-infinity), low(infinity);
+    for (const Vec3 p : points) {
+      const Vec3 local = (p - box.center()) * axes;  // dot products with the axes
+      high = glm::max(high, Vec2(local) + tangent * local.z);
+      low = glm::min(low, Vec2(local) - tangent * local.z);
+    }
+    const Vec2 distances = 0.5f * (high - low) / tangent;
+    eye = Vec3(0.5f * (high + low), glm::max(distances.x, distances.y));
+    if (!(eye.z > 0)) eye.z = 1;  // a single point
   }
-  if (!(fitting > 0)) fitting = 1;  // a single point
-  camera.focus_distance = distance.value_or(fitting);
-  camera.to_world.translation = box.center() + camera.focus_distance * back;
+  camera.focus_distance = eye.z;
+  camera.to_world.translation = box.center() + axes * eye;
   return camera;
 }
 

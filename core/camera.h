@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "core/ray.h"
 #include "core/scene.h"
@@ -27,11 +28,15 @@ class CameraRays {
   float lens_radius_, focus_distance_;
 };
 
-/// A camera that frames the box from `azimuth` (radians about +Y; 0 looks from +Z, positive turns the eye to +X) and
-/// `elevation` (radians above the horizon). Without a distance the box fills the frame of the given aspect ratio.
-/// `distance` is in metres from the box's centre.
-Camera frame_bounds(const Bounds& bounds, float azimuth, float elevation, float aspect,
-                    std::optional<float> distance = {}, float yfov = 0.6f);
+/// Vertical angle of automatic cameras: that of a portrait lens, radians.
+inline constexpr float framing_yfov = 0.6f;
+
+/// A camera that frames the points from `azimuth` (radians about +Y; 0 looks from +Z, positive turns the eye to +X) and
+/// `elevation` (radians above the horizon). Without a distance they are centred in the frame of the given aspect ratio
+/// and fill it; `distance` is in metres from the centre of their bounding box. No points: as if they were a box around
+/// the origin.
+Camera frame_points(std::span<const Vec3> points, float azimuth, float elevation, float aspect,
+                    std::optional<float> distance = {}, float yfov = framing_yfov);
 
 /// A camera at `from` that looks at `at`, +Y up (or another up when it looks along Y). Focuses at `at`.
 Camera look_at(Vec3 from, Vec3 at, float yfov);

@@ -8,8 +8,8 @@
 
 namespace candil {
 
-/// Sums over a set of samples of one pixel; a value type that adds up. PixelSums{} is zero; without the braces it has no
-/// value, so that arrays of it cost nothing to make.
+/// Sums over a set of samples of one pixel; a value type that adds up. PixelSums{} is zero; without the braces it has
+/// no value, so that arrays of it cost nothing to make.
 struct PixelSums {
   Vec3 radiance;
   float alpha;

@@ -42,6 +42,28 @@ Bounds scene_bounds(const Scene& scene) {
   return bounds;
 }
 
+std::vector<Vec3> scene_outline(const Scene& scene) {
+  constexpr std::size_t most = 2'000'000;
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    for_each_mesh_of(scene, instance, [&](const Mesh& mesh) { count += mesh.positions.size(); });
+  }
+  std::vector<Vec3> points;
+  for (const Instance& instance : scene.instances) {
+    for_each_mesh_of(scene, instance, [&](const Mesh& mesh) {
+      Bounds box;
+      for (const Vec3 p : mesh.positions) {
+        if (count <= most) points.push_back(instance.to_world.point(p));
+        box.add(p);
+      }
+      for (int i = 0; i < 8 && count > most && !box.is_empty(); ++i) {
+        points.push_back(instance.to_world.point(box.corner(i)));
+      }
+    });
+  }
+  return points;
+}
+
 bool has_light(const Scene& scene) {
   if (!scene.punctual_lights.empty() || scene.environment.is_present()) return true;
   bool found = false;

@@ -151,11 +151,17 @@ struct Bounds {
   bool is_empty() const { return !(low.x <= high.x); }
   Vec3 center() const { return 0.5f * (low + high); }
   float radius() const { return is_empty() ? 0.0f : 0.5f * glm::length(high - low); }
+  /// 0 to 7; bit 0, 1, 2 picks the higher x, y, z.
+  Vec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
   void add(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
 
 /// Box around every instance in world space; exact over vertices, empty for a scene without geometry.
 Bounds scene_bounds(const Scene& scene);
+
+/// Points in world space whose convex hull is that of the scene, for framing it: every vertex of every instance, or,
+/// where these would be more than two million, the corners of each instance's box.
+std::vector<Vec3> scene_outline(const Scene& scene);
 
 /// True when the scene brings light of its own: a punctual light, an environment, or a surface that emits more than 1
 /// nit. Core glTF stops at 1, the white of the screen: such surfaces glow for the viewer but are not meant to light

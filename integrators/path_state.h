@@ -19,7 +19,8 @@ struct PathState {
   bool sees_backdrop = true;  ///< Camera ray so far, bent at most by specular transmission.
 };
 
-/// The random numbers of a vertex, drawn together: a path uses the same ones for the same purpose whatever happens on it.
+/// The random numbers of a vertex, drawn together: a path uses the same ones for the same purpose whatever happens on
+/// it.
 struct VertexSamples {
   Vec2 light;      ///< Point on the light.
   Vec2 choices;    ///< x: which light; y: which lobe.

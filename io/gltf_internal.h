@@ -121,7 +121,8 @@ class MeshReader {
 struct PlacedNode {
   std::size_t node = 0;
   Affine to_world;
-  bool is_visible = true;  ///< KHR_node_visibility of it and its parents: meshes and lights are shown, cameras do not care.
+  bool is_visible =
+      true;  ///< KHR_node_visibility of it and its parents: meshes and lights are shown, cameras do not care.
 };
 
 /// All nodes of the default scene (else of the first, else of all), parents first. Throws InputError for

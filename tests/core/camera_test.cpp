@@ -110,19 +110,23 @@ std::optional<Vec2> project(const Camera& camera, Vec3 p, float aspect) {
   return Vec2(local.x / (-local.z * tan_y * aspect), local.y / (-local.z * tan_y));
 }
 
-TEST(Camera, FrameBoundsEnclosesTheBoxTightly) {
+std::vector<Vec3> corners_of(const Bounds& box) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(box.corner(i));
+  return corners;
+}
+
+TEST(Camera, FramedPointsFillThePicture) {
   const Bounds boxes[] = {
       {Vec3(-1, 0, -2), Vec3(3, 1, 2)}, {Vec3(1e-3f), Vec3(2e-3f)}, {Vec3(-500, 0, 0), Vec3(500, 1, 1)}};
   for (const Bounds& box : boxes) {
     for (const float azimuth : {0.0f, 0.6f, 2.0f, -3.0f}) {
       for (const float elevation : {0.0f, 0.4f, pi / 2, -1.2f}) {
         for (const float aspect : {0.5f, 1.0f, 1.78f}) {
-          const Camera camera = frame_bounds(box, azimuth, elevation, aspect);
+          const Camera camera = frame_points(corners_of(box), azimuth, elevation, aspect);
           float furthest = 0;
           for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                         corner & 4 ? box.high.z : box.low.z);
-            const auto place = project(camera, p, aspect);
+            const auto place = project(camera, box.corner(corner), aspect);
             ASSERT_TRUE(place);
             furthest = glm::max(furthest, glm::max(std::abs(place->x), std::abs(place->y)));
           }
@@ -134,18 +138,18 @@ TEST(Camera, FrameBoundsEnclosesTheBoxTightly) {
   }
 }
 
-TEST(Camera, FrameBoundsLooksFromTheGivenSide) {
-  const Bounds box{Vec3(-1), Vec3(1)};
+TEST(Camera, FramingLooksFromTheGivenSide) {
+  const std::vector<Vec3> box = corners_of({Vec3(-1), Vec3(1)});
   // Azimuth 0 is +Z, a quarter turn +X; elevation lifts the eye.
-  expect_near(frame_bounds(box, 0, 0, 1, 10.0f).to_world.translation, Vec3(0, 0, 10), 1e-4f);
-  expect_near(frame_bounds(box, pi / 2, 0, 1, 10.0f).to_world.translation, Vec3(10, 0, 0), 1e-4f);
-  expect_near(frame_bounds(box, 0, pi / 6, 1, 10.0f).to_world.translation, Vec3(0, 5, 10 * std::cos(pi / 6)), 1e-4f);
+  expect_near(frame_points(box, 0, 0, 1, 10.0f).to_world.translation, Vec3(0, 0, 10), 1e-4f);
+  expect_near(frame_points(box, pi / 2, 0, 1, 10.0f).to_world.translation, Vec3(10, 0, 0), 1e-4f);
+  expect_near(frame_points(box, 0, pi / 6, 1, 10.0f).to_world.translation, Vec3(0, 5, 10 * std::cos(pi / 6)), 1e-4f);
 }
 
-TEST(Camera, FrameBoundsOfNothingAndOfAPointAreCameras) {
-  const Camera empty = frame_bounds(Bounds{}, 0.5f, 0.3f, 1);
+TEST(Camera, FramingNothingOrAPointGivesACamera) {
+  const Camera empty = frame_points({}, 0.5f, 0.3f, 1);
   EXPECT_TRUE(is_finite(empty.to_world.translation));
-  const Camera point = frame_bounds({Vec3(2), Vec3(2)}, 0.5f, 0.3f, 1);
+  const Camera point = frame_points(std::vector{Vec3(2)}, 0.5f, 0.3f, 1);
   EXPECT_GT(glm::length(point.to_world.translation - Vec3(2)), 0);
   EXPECT_TRUE(is_finite(point.to_world.translation));
 }

@@ -43,7 +43,7 @@ bool file_renders(const char* path) {
   candil::RenderSettings settings;
   settings.width = settings.height = 8;
   settings.samples_per_pixel = 1;
-  const candil::Camera camera = candil::frame_bounds(candil::scene_bounds(scene), 0.5f, 0.3f, 1.0f);
+  const candil::Camera camera = candil::frame_points(candil::scene_outline(scene), 0.5f, 0.3f, 1.0f);
   const candil::RenderResult result = candil::render({scene, *accelerator, lights, tables}, camera, settings);
   return result.rays.camera == 64 && result.non_finite_samples == 0;
 }

@@ -46,7 +46,7 @@ class Studio {
     settings.samples_per_pixel = 2;
     settings.transparent_background = is_background_transparent;
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    return render({scene_, *accelerator_, lights_, tables_}, frame_bounds(scene_bounds(scene_), azimuth, 0.4f, aspect),
+    return render({scene_, *accelerator_, lights_, tables_}, frame_points(scene_outline(scene_), azimuth, 0.4f, aspect),
                   settings);
   }
 
