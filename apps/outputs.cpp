@@ -33,9 +33,11 @@ void write_output(const Output& output, const Image& linear, const DisplayOption
   const bool with_alpha = display.is_transparent && (output.is_standard_output() || has_alpha_channel(output.path));
   const Image image = with_alpha ? linear : without_alpha(linear);
   if (output.is_standard_output())
-    return write_standard_output(encode_png(to_display(image, display.exposure, display.tonemap), with_alpha));
+    return write_standard_output(
+        encode_png(to_display(image, display.exposure, display.tonemap.value_or(Tonemap::neutral)), with_alpha));
   if (is_linear_format(output.path)) return write_image(output.path, image, with_alpha, metadata);
-  write_image(output.path, to_display(image, display.exposure, display.tonemap), with_alpha, metadata);
+  write_image(output.path, to_display(image, display.exposure, display.tonemap.value_or(Tonemap::neutral)), with_alpha,
+              metadata);
 }
 
 void check_output(const Output& output) {

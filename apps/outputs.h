@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,9 +23,9 @@ struct Output {
 
 /// How linear values become those of display formats.
 struct DisplayOptions {
-  float exposure = 0;  ///< Stops.
-  Tonemap tonemap = Tonemap::neutral;
-  bool is_transparent = false;  ///< Alpha is written where the format has it.
+  float exposure = 0;              ///< Stops.
+  std::optional<Tonemap> tonemap;  ///< Absent: neutral for pictures, none for the views of normals and albedo.
+  bool is_transparent = false;     ///< Alpha is written where the format has it.
 };
 
 /// The files that `names` mean; without names SCENE.png in the current folder. Throws UsageError for unknown formats

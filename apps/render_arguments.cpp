@@ -163,7 +163,8 @@ void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& op
   arguments.add(
       "--exposure", "STOPS", "Brighten (or darken) display formats by factors of two",
       [&](const auto& option, const auto& text) { options.display.exposure = parse_float(option, text, -64, 64); });
-  arguments.add("--tonemap", "NAME", "For display formats: neutral (default), clamp or none",
+  arguments.add("--tonemap", "NAME",
+                "For display formats: neutral (default; none for normals and albedo), clamp or none",
                 [&](const auto& option, const auto& text) {
                   const std::optional<Tonemap> tonemap = tonemap_from_name(text);
                   if (!tonemap) fail_choice(option, text, tonemap_names());
@@ -195,6 +196,8 @@ void check_render_arguments(RenderOptions& options) {
   constexpr std::uint32_t default_samples = 64;
   if (settings.samples_per_pixel == 0)
     settings.samples_per_pixel = settings.time_limit_seconds > 0 ? max_samples : default_samples;
+  const bool is_picture = settings.integrator == IntegratorKind::path || settings.integrator == IntegratorKind::naive;
+  if (!options.display.tonemap) options.display.tonemap = is_picture ? Tonemap::neutral : Tonemap::none;
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 

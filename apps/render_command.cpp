@@ -14,6 +14,7 @@
 #include "apps/versions.h"
 #include "core/accelerator.h"
 #include "io/atomic_file.h"
+#include "io/image_file.h"
 #include "io/load_scene.h"
 #include "materials/alpha.h"
 
@@ -91,6 +92,10 @@ void report(const RenderOptions& options, std::span<const Output> outputs, const
 
 int run_render(const RenderOptions& options) {
   const std::vector<Output> outputs = plan_outputs(options.outputs, options.scene);
+  for (const Output& output : outputs) {
+    if (options.display.is_transparent && !output.is_standard_output() && !has_alpha_channel(output.path))
+      print_warning(output.path.string() + ": the format has no alpha, the background will be black");
+  }
   if (!options.statistics.empty()) check_writable(options.statistics);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(options.settings.threads));

@@ -89,6 +89,23 @@ TEST(Render, TransparentBackgroundHasAlphaAndOpaqueHasNot) {
   EXPECT_EQ(image.rgba8[12 * 32 + 16].w, 255);
 }
 
+TEST(Render, TransparencyWithoutAlphaIsWarnedOf) {
+  const TemporaryFolder folder;
+  const ProgramResult result = render_square(folder, {"--transparent", "--quiet", "-o", "a.png", "-o", "b.jpg"});
+  EXPECT_EQ(result.errors, "warning: b.jpg: the format has no alpha, the background will be black\n");
+}
+
+// The square faces +Z: its normal (0, 0, 1) is the colour (0.5, 0.5, 1), and 0.5 is 188 in sRGB. No operator bends
+// that.
+TEST(Render, NormalsAreNotToneMapped) {
+  const TemporaryFolder folder;
+  render_square(folder, {"--integrator", "normals", "--orbit", "0,0"});
+  const glm::u8vec4 middle = decode(read_text(folder / "square.png")).rgba8[12 * 32 + 16];
+  EXPECT_EQ(middle.x, 188);
+  EXPECT_EQ(middle.y, 188);
+  EXPECT_EQ(middle.z, 255);
+}
+
 // One stop doubles linear light; linear outputs stay as they are.
 TEST(Render, ExposureIsForDisplaysOnly) {
   const TemporaryFolder folder;
