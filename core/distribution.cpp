@@ -100,11 +100,11 @@ AliasTable::AliasTable(std::span<const float> weights) : cells_(weights.size()) 
   }
 }
 
-AliasTable::Sample AliasTable::sample(float u) const {
-  const float position = u * static_cast<float>(cells_.size());
+AliasTable::Sample AliasTable::sample(double u) const {
+  const double position = u * static_cast<double>(cells_.size());
   const auto index = std::min(static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(cells_.size() - 1));
   const Cell& cell = cells_[index];
-  const std::uint32_t chosen = position - static_cast<float>(index) < cell.threshold ? index : cell.alias;
+  const std::uint32_t chosen = position - index < cell.threshold ? index : cell.alias;
   return {chosen, cells_[chosen].probability};
 }
 

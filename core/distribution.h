@@ -43,8 +43,9 @@ class AliasTable {
     std::uint32_t index;
     float probability;
   };
-  /// u in [0, 1). Not to be called on an empty table.
-  Sample sample(float u) const;
+  /// u in [0, 1); its digits choose the cell first and then decide within it, so that a large table wants many. Not to
+  /// be called on an empty table.
+  Sample sample(double u) const;
   float probability(std::uint32_t index) const { return cells_[index].probability; }
 
  private:

@@ -90,7 +90,7 @@ float LightSampler::mean_luminance(const EmissiveTriangle& light) const {
   return sum / static_cast<float>(side * side);
 }
 
-std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, float u_pick, Vec2 u) const {
+std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, double u_pick, Vec2 u) const {
   const AliasTable::Sample picked = table_.sample(u_pick);
   const std::size_t first_punctual = triangles_.size();
   const float choice = picked.probability;

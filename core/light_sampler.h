@@ -29,7 +29,7 @@ class LightSampler {
   std::size_t light_count() const { return table_.size(); }
 
   /// Nothing when the sampled light cannot shine on the point (its back side, or outside of a spot's cone).
-  std::optional<LightSample> sample(const SurfacePoint& from, float u_pick, Vec2 u) const;
+  std::optional<LightSample> sample(const SurfacePoint& from, double u_pick, Vec2 u) const;
 
   /// Density, 1/sr as seen from `from_position`, with which sample() would have found the emitter at `on`; 0 for a
   /// surface that is not a light. `from_position` is where the ray that found it started.

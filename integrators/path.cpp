@@ -13,7 +13,7 @@ float mis_weight(float pdf, float other) {
 }
 
 /// Light that reaches the surface straight from a sampled light and goes on to wo.
-Vec3 direct_light(const RenderContext& context, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, float u_pick,
+Vec3 direct_light(const RenderContext& context, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, double u_pick,
                   Vec2 u_light, std::uint32_t medium, RayCounts& rays) {
   const std::optional<LightSample> light = context.lights.sample(point, u_pick, u_light);
   if (!light || is_black(light->radiance)) return Vec3(0);
@@ -64,9 +64,9 @@ PathSample trace_path(const RenderContext& context, const RenderSettings& settin
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
     if (!bsdf.is_purely_delta() && !context.lights.is_empty()) {
       state.radiance +=
-          state.throughput * direct_light(context, point, bsdf, wo, u.choices.x, u.light, state.medium, rays);
+          state.throughput * direct_light(context, point, bsdf, wo, u.light_choice, u.light, state.medium, rays);
     }
-    if (!scatter(state, context.scene, point, bsdf, u.choices.y, u.direction)) break;
+    if (!scatter(state, context.scene, point, bsdf, u.lobe, u.direction)) break;
     if (!survives_roulette(state, u.roulette)) break;
     ++rays.bounce;
   }

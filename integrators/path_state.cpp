@@ -37,7 +37,8 @@ bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, co
 
 VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce) {
   const std::array<Vec2, 4> u = sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex);
-  return {u[0], u[1], u[2], u[3].x};
+  const double light_choice = static_cast<double>(u[1].x) + 0x1p-24 * static_cast<double>(u[3].y);
+  return {u[0], light_choice, u[1].y, u[2], u[3].x};
 }
 
 bool survives_roulette(PathState& state, float u_roulette) {

@@ -22,9 +22,10 @@ struct PathState {
 /// The random numbers of a vertex, drawn together: a path uses the same ones for the same purpose whatever happens on
 /// it.
 struct VertexSamples {
-  Vec2 light;      ///< Point on the light.
-  Vec2 choices;    ///< x: which light; y: which lobe.
-  Vec2 direction;  ///< Of the closure's sample.
+  Vec2 light;           ///< Point on the light.
+  double light_choice;  ///< Which light: 48 random bits, for scenes with a million of them.
+  float lobe;           ///< Which lobe of the closure.
+  Vec2 direction;       ///< Of the closure's sample.
   float roulette;
 };
 

@@ -123,5 +123,22 @@ TEST(AliasTable, ExtremeNumbersAreInRange) {
   for (const float u : {0.0f, 0.25f, 0.5f, one_minus_epsilon}) EXPECT_GT(table.sample(u).probability, 0) << u;
 }
 
+// A million cells take 20 bits of the number for the choice of the cell; the coin within needs as many again. Cells of
+// weight 3 and 1 in turn: of the numbers that fall into the cells of weight 1 (half of the table), half must stay
+// there.
+TEST(AliasTable, LargeTablesAreFairToo) {
+  constexpr std::uint32_t count = 1 << 20;
+  std::vector<float> uneven(count);
+  for (std::uint32_t i = 0; i < count; ++i) uneven[i] = i % 2 == 0 ? 3.0f : 1.0f + 1e-3f * static_cast<float>(i % 7);
+  const AliasTable table(uneven);
+  // Sweep one cell evenly: the share that stays is its probability times the number of cells.
+  for (const std::uint32_t cell : {1U, 77777U, count - 1}) {
+    constexpr int steps = 4096;
+    int stayed = 0;
+    for (int i = 0; i < steps; ++i) stayed += table.sample((cell + (i + 0.5) / steps) / count).index == cell;
+    EXPECT_NEAR(static_cast<double>(stayed) / steps, table.probability(cell) * count, 1.0 / steps) << cell;
+  }
+}
+
 }  // namespace
 }  // namespace candil
