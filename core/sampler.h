@@ -78,13 +78,6 @@ class Sampler {
     return points;
   }
 
-  /// The first number of sample_2d(dimension).
-  float sample_1d(std::uint32_t dimension) const {
-    const std::uint32_t dimension_seed = hash_combine(pixel_seed_, dimension);
-    const std::uint32_t x = laine_karras_permutation(shuffled_index(dimension_seed), dimension_seed * x_scramble);
-    return to_unit_float(reverse_bits(x));
-  }
-
  private:
   // Odd factors that turn the seed of a dimension into those of its two scramblings.
   static constexpr std::uint32_t x_scramble = 0x9e3779b9U, y_scramble = 0xc2b2ae35U;

@@ -38,10 +38,6 @@ struct RenderSettings {
 struct RayCounts {
   std::uint64_t camera = 0, bounce = 0, shadow = 0;
   std::uint64_t total() const { return camera + bounce + shadow; }
-  RayCounts& operator+=(const RayCounts& other) {
-    camera += other.camera, bounce += other.bounce, shadow += other.shadow;
-    return *this;
-  }
 };
 
 struct RenderProgress {

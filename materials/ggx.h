@@ -34,19 +34,14 @@ inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, float alpha) {
   return 1 / (1 + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
 }
 
-/// A facet normal as seen from wo (wo.z > 0), with density ggx_visible_pdf() (Dupuy and Benyoub 2023, "Sampling Visible
-/// GGX Normals with Spherical Caps").
+/// A facet normal as seen from wo (wo.z > 0), with density G1(wo) D(h) max(0, wo.h) / wo.z per steradian (Dupuy and
+/// Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps").
 inline Vec3 sample_ggx_visible(Vec3 wo, float alpha, Vec2 u) {
   const Vec3 stretched = glm::normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
   const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
   const float radius = safe_sqrt(1 - sqr(z)), phi = 2 * pi * u.x;
   const Vec3 h = Vec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
   return glm::normalize(Vec3(alpha * h.x, alpha * h.y, glm::max(1e-9f, h.z)));
-}
-
-/// Density of visible normals, 1/sr.
-inline float ggx_visible_pdf(Vec3 wo, Vec3 h, float alpha) {
-  return ggx_masking(wo, alpha) * ggx_distribution(h, alpha) * glm::max(0.0f, glm::dot(wo, h)) / wo.z;
 }
 
 }  // namespace candil

@@ -3,7 +3,7 @@
 
 A table 1.8 m wide stands before a wall; objects are 5 to 25 cm high. A warm key light comes from the left front,
 a cool rim light from the right rear; weak large panels in front and above fill the shadows, and a strip below the
-table's edge washes the wall. All lights are large, so that the picture is clean at 128 samples.
+table's edge washes the wall. All lights are large, so that the picture is clean at some hundred samples.
 """
 
 import math

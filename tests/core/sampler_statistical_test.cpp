@@ -45,7 +45,7 @@ TEST(SamplerStatistics, DimensionsOfTheFirstSampleAreIndependent) {
   for (std::uint32_t dimension = 0; dimension < 8; ++dimension) {
     const double p = uniform_p_value(count, [&](int i) {
       const Sampler sampler(pixel_of(i), 0, 0);
-      return Vec2(sampler.sample_1d(dimension), sampler.sample_1d(dimension + 1));
+      return Vec2(sampler.sample_2d(dimension).x, sampler.sample_2d(dimension + 1).x);
     });
     EXPECT_GT(p, test::significance) << dimension;
   }
@@ -54,7 +54,7 @@ TEST(SamplerStatistics, DimensionsOfTheFirstSampleAreIndependent) {
 TEST(SamplerStatistics, NeighbouringPixelsAreIndependent) {
   for (const glm::uvec2 step : {glm::uvec2(1, 0), glm::uvec2(0, 1), glm::uvec2(1, 1)}) {
     const double p = uniform_p_value(count, [&](int i) {
-      return Vec2(Sampler(pixel_of(i), 5, 0).sample_1d(2), Sampler(pixel_of(i) + step, 5, 0).sample_1d(2));
+      return Vec2(Sampler(pixel_of(i), 5, 0).sample_2d(2).x, Sampler(pixel_of(i) + step, 5, 0).sample_2d(2).x);
     });
     EXPECT_GT(p, test::significance) << step.x << ", " << step.y;
   }
@@ -63,7 +63,7 @@ TEST(SamplerStatistics, NeighbouringPixelsAreIndependent) {
 TEST(SamplerStatistics, SeedsAreIndependent) {
   for (const std::uint64_t other : {1ULL, 2ULL, 1ULL << 32, ~0ULL}) {
     const double p = uniform_p_value(count, [&](int i) {
-      return Vec2(Sampler(pixel_of(i), 0, 0).sample_1d(0), Sampler(pixel_of(i), 0, other).sample_1d(0));
+      return Vec2(Sampler(pixel_of(i), 0, 0).sample_2d(0).x, Sampler(pixel_of(i), 0, other).sample_2d(0).x);
     });
     EXPECT_GT(p, test::significance) << other;
   }

@@ -46,15 +46,6 @@ TEST(Sampler, EveryAlignedBlockOfSamplesIsANet) {
   }
 }
 
-TEST(Sampler, OneDimensionIsTheFirstOfTwo) {
-  for (const Stream& stream : streams) {
-    for (std::uint32_t i = 0; i < 64; ++i) {
-      const Sampler sampler(stream.pixel, i, stream.seed);
-      EXPECT_EQ(sampler.sample_1d(stream.dimension), sampler.sample_2d(stream.dimension).x);
-    }
-  }
-}
-
 TEST(Sampler, StaysBelowOne) {
   EXPECT_EQ(to_unit_float(~0U), one_minus_epsilon);
   EXPECT_EQ(to_unit_float(0), 0.0f);

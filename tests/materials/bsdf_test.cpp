@@ -25,7 +25,7 @@ Vec3 furnace(const ClosureBench& bench, Vec3 wo, int samples) {
   Vec3 sum(0);
   for (int i = 0; i < samples; ++i) {
     const Sampler s = Random{static_cast<std::uint32_t>(i)}.sampler();
-    const auto sample = bsdf.sample(wo, s.sample_1d(0), s.sample_2d(1));
+    const auto sample = bsdf.sample(wo, s.sample_2d(0).x, s.sample_2d(1));
     if (sample) sum += sample->weight * sqr(sample->eta);
   }
   return sum / static_cast<float>(samples);
@@ -40,7 +40,7 @@ TEST(Bsdf, WeightTimesPdfIsWhatEvalSays) {
       const Bsdf bsdf = bench.bsdf(wo);
       for (std::uint32_t i = 0; i < 200; ++i) {
         const Sampler s = Random{i}.sampler();
-        const auto sample = bsdf.sample(wo, s.sample_1d(0), s.sample_2d(1));
+        const auto sample = bsdf.sample(wo, s.sample_2d(0).x, s.sample_2d(1));
         if (!sample || sample->is_delta) continue;
         const BsdfEval value = bsdf.eval(wo, sample->wi);
         ASSERT_NEAR(value.pdf, sample->pdf, 2e-3f * sample->pdf) << named.name << " at " << angle;
