@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -70,9 +71,17 @@ std::uint64_t replay(const Accelerator& accelerator, const Recording& recording,
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, recording.rays.size(), 1 << 14), [&](const auto& range) {
       std::uint64_t found = 0;
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        found += recording.is_shadow[i] ? accelerator.occluded(recording.rays[i])
-                                        : accelerator.intersect(recording.rays[i]).has_value();
+      std::array<Hit, 64> answers;
+      for (std::size_t i = range.begin(); i < range.end();) {
+        if (recording.is_shadow[i]) {
+          found += accelerator.occluded(recording.rays[i++]);
+          continue;
+        }
+        std::size_t count = 1;
+        while (count < answers.size() && i + count < range.end() && !recording.is_shadow[i + count]) ++count;
+        accelerator.intersect_each({&recording.rays[i], count}, answers);
+        for (std::size_t k = 0; k < count; ++k) found += !answers[k].is_miss();
+        i += count;
       }
       hits += found;
     });

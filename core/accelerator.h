@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/ray.h"
@@ -25,6 +26,10 @@ class Accelerator {
   virtual ~Accelerator() = default;
   /// The nearest accepted hit with t in [0, ray.t_max].
   virtual std::optional<Hit> intersect(const Ray& ray) const = 0;
+  /// The same for many rays; `hits` is as long as `rays`, and a miss has t = infinity.
+  virtual void intersect_each(std::span<const Ray> rays, std::span<Hit> hits) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = intersect(rays[i]).value_or(Hit{});
+  }
   /// Whether there is any accepted hit with t in [0, ray.t_max].
   virtual bool occluded(const Ray& ray) const = 0;
   /// Bytes that the hierarchy occupies, the scene itself not counted.

@@ -100,12 +100,4 @@ AliasTable::AliasTable(std::span<const float> weights) : cells_(weights.size()) 
   }
 }
 
-AliasTable::Sample AliasTable::sample(double u) const {
-  const double position = u * static_cast<double>(cells_.size());
-  const auto index = std::min(static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(cells_.size() - 1));
-  const Cell& cell = cells_[index];
-  const std::uint32_t chosen = position - index < cell.threshold ? index : cell.alias;
-  return {chosen, cells_[chosen].probability};
-}
-
 }  // namespace candil

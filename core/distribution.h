@@ -1,6 +1,7 @@
 /// Discrete and piecewise constant distributions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -45,7 +46,13 @@ class AliasTable {
   };
   /// u in [0, 1); its digits choose the cell first and then decide within it, so that a large table wants many. Not to
   /// be called on an empty table.
-  Sample sample(double u) const;
+  Sample sample(double u) const {
+    const double position = u * static_cast<double>(cells_.size());
+    const auto index = std::min(static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(cells_.size() - 1));
+    const Cell& cell = cells_[index];
+    const std::uint32_t chosen = position - index < cell.threshold ? index : cell.alias;
+    return {chosen, cells_[chosen].probability};
+  }
   float probability(std::uint32_t index) const { return cells_[index].probability; }
 
  private:

@@ -99,24 +99,39 @@ class EmbreeAccelerator final : public Accelerator {
   EmbreeAccelerator(const Scene& scene, HitFilter filter);
 
   std::optional<Hit> intersect(const Ray& ray) const override {
+    Hit hit;
+    intersect_each({&ray, 1}, {&hit, 1});
+    if (hit.is_miss()) return std::nullopt;
+    return hit;
+  }
+
+  void intersect_each(std::span<const Ray> rays, std::span<Hit> hits) const override {
     FilterContext context;
     init_context(context.embree);
-    context.ray = &ray;
-    RTCRayHit query;
-    fill(query.ray, ray);
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    query_intersect(top_.get(), context.embree, query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    Hit hit{query.ray.tfar, {query.hit.u, query.hit.v}, 0, 0, query.hit.primID};
-    if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
-      hit.instance = records_[query.hit.geomID].instance;
-      hit.mesh = records_[query.hit.geomID].mesh;
-    } else {
-      hit.instance = instance_of_top_id_[query.hit.instID[0]];
-      hit.mesh = scene_.objects[scene_.instances[hit.instance].object].first_mesh + query.hit.geomID;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Ray& ray = rays[i];
+      Hit& hit = hits[i];  // field by field: a copy would wait for the stores
+      context.ray = &ray;
+      RTCRayHit query;
+      fill(query.ray, ray);
+      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      query_intersect(top_.get(), context.embree, query);
+      if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        hit.t = infinity;
+        continue;
+      }
+      hit.t = query.ray.tfar;
+      hit.barycentric = {query.hit.u, query.hit.v};
+      hit.triangle = query.hit.primID;
+      if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+        hit.instance = records_[query.hit.geomID].instance;
+        hit.mesh = records_[query.hit.geomID].mesh;
+      } else {
+        hit.instance = instance_of_top_id_[query.hit.instID[0]];
+        hit.mesh = scene_.objects[scene_.instances[hit.instance].object].first_mesh + query.hit.geomID;
+      }
     }
-    return hit;
   }
 
   bool occluded(const Ray& ray) const override {

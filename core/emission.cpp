@@ -4,18 +4,15 @@
 
 namespace candil {
 
-Vec3 emitted_radiance(const Scene& scene, const SurfacePoint& point, bool is_front) {
-  const Material& material = scene.materials[point.material];
-  if (!material.is_emissive() || (!is_front && !material.is_double_sided)) return Vec3(0);
+Vec3 emitted_radiance(const Scene& scene, const Material& material, const SurfacePoint& point, bool is_front) {
+  if (!is_front && !material.is_double_sided) return Vec3(0);
   if (material.is_unlit) return Vec3(base_color(scene, material, point.uv, point.color));
   if (!material.emission_texture.is_used()) return material.emission;
   return material.emission * Vec3(sample_texture(scene, material.emission_texture, point.uv, ColorSpace::srgb));
 }
 
-Vec4 base_color(const Scene& scene, const Material& material, const Vec2 (&uv)[2], Vec4 vertex_color) {
-  const Vec4 color = material.base_color * vertex_color;
-  if (!material.base_color_texture.is_used()) return color;
-  return color * sample_texture(scene, material.base_color_texture, uv, ColorSpace::srgb);
+Vec4 base_color_texel(const Scene& scene, const Material& material, const Vec2 (&uv)[2]) {
+  return sample_texture(scene, material.base_color_texture, uv, ColorSpace::srgb);
 }
 
 float alpha_coverage(const Scene& scene, const Material& material, const Vec2 (&uv)[2], Vec4 vertex_color) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/math.h"
+#include "core/simd.h"
 
 namespace candil {
 
@@ -20,7 +20,9 @@ struct Frame {
   }
 
   Vec3 to_local(Vec3 v) const { return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)}; }
-  Vec3 to_world(Vec3 v) const { return v.x * tangent + v.y * bitangent + v.z * normal; }
+  Vec3 to_world(Vec3 v) const {
+    return to_vec3(v.x * to_lanes(tangent) + v.y * to_lanes(bitangent) + v.z * to_lanes(normal));
+  }
 };
 
 }  // namespace candil

@@ -55,11 +55,13 @@ LightSampler::EmissiveTriangle LightSampler::emissive_triangle(std::uint32_t ins
   const Triangle t = mesh.triangles[triangle];
   const SurfacePoint center = point_on_triangle(scene_, instance, mesh_id, triangle, Vec2(1 / 3.0f));
   EmissiveTriangle light;
-  light.corner = to_world.point(mesh.positions[t.x]);
-  light.edge_b = to_world.vector(mesh.positions[t.y] - mesh.positions[t.x]);
-  light.edge_c = to_world.vector(mesh.positions[t.z] - mesh.positions[t.x]);
-  light.normal = center.normal_geometric;
-  const float area = 0.5f * glm::length(glm::cross(light.edge_b, light.edge_c));
+  const Vec3 edge_b = to_world.vector(mesh.positions[t.y] - mesh.positions[t.x]);
+  const Vec3 edge_c = to_world.vector(mesh.positions[t.z] - mesh.positions[t.x]);
+  light.corner = to_lanes(to_world.point(mesh.positions[t.x]));
+  light.edge_b = to_lanes(edge_b);
+  light.edge_c = to_lanes(edge_c);
+  light.normal = to_lanes(center.normal_geometric);
+  const float area = 0.5f * glm::length(glm::cross(edge_b, edge_c));
   light.area = area < infinity ? area : 0;
   light.offset = center.offset;
   light.instance = instance, light.mesh = mesh_id, light.triangle = triangle;
@@ -102,23 +104,26 @@ std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, double
 
 std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from,
                                                          Vec2 u, float choice) const {
+  std::optional<LightSample> result;  // filled in place: copies of it cost more than its arithmetic
   const Vec2 barycentric = sample_triangle(u);
-  const Vec3 on = light.corner + barycentric.x * light.edge_b + barycentric.y * light.edge_c;
-  const Vec3 towards = on - from.position;
-  const float distance_squared = length_squared(towards);
-  if (!(distance_squared > 0)) return std::nullopt;
-  const Vec3 wi = towards * (1 / glm::sqrt(distance_squared));
-  const float cos_light = -glm::dot(wi, light.normal);
-  const bool is_front = cos_light > 0;
-  if (cos_light == 0 || light.area == 0 || (!is_front && !light.is_double_sided)) return std::nullopt;
+  const Float4 on = light.corner + barycentric.x * light.edge_b + barycentric.y * light.edge_c;
+  const Float4 position = to_lanes(from.position), normal_from = to_lanes(from.normal_geometric);
+  const Float4 towards = on - position;
+  const float distance_squared = dot(towards, towards), cosine_times_distance = -dot(towards, light.normal);
+  const bool is_front = cosine_times_distance > 0;
+  if (cosine_times_distance == 0 || light.area == 0 || (!is_front && !light.is_double_sided)) return result;
   // Both ends step off their surface, towards each other's side.
-  const Vec3 origin = offset_origin(from, wi);
-  const Vec3 ray = on + (is_front ? light.offset : -light.offset) * light.normal - origin;
-  const float length = glm::length(ray);
-  if (!(length > 0)) return std::nullopt;
-  return LightSample{wi, emission_at(light, barycentric, is_front),
-                     choice * distance_squared / (std::abs(cos_light) * light.area),
-                     Ray{origin, ray * (1 / length), length}};
+  const float side = std::copysign(from.offset, dot(towards, normal_from));
+  const Float4 origin = position + side * normal_from;
+  const Float4 ray = on + (is_front ? light.offset : -light.offset) * light.normal - origin;
+  const float length = glm::sqrt(dot(ray, ray)), distance = glm::sqrt(distance_squared);
+  if (!(length > 0)) return result;
+  LightSample& sample = result.emplace();
+  sample.wi = to_vec3(towards * (1 / distance));
+  sample.radiance = emission_at(light, barycentric, is_front);
+  sample.pdf = choice * distance_squared * distance / (std::abs(cosine_times_distance) * light.area);
+  sample.shadow_ray = {to_vec3(origin), to_vec3(ray * (1 / length)), length};
+  return result;
 }
 
 std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& light, const SurfacePoint& from,

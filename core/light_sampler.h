@@ -6,6 +6,7 @@
 #include "core/distribution.h"
 #include "core/environment.h"
 #include "core/scene.h"
+#include "core/simd.h"
 #include "core/surface.h"
 
 namespace candil {
@@ -42,8 +43,8 @@ class LightSampler {
  private:
   /// Everything in world space, so that a sample of a plain emitter reads nothing else.
   struct EmissiveTriangle {
-    Vec3 corner, edge_b, edge_c;
-    Vec3 normal;    // unit, front side
+    Float4 corner, edge_b, edge_c;
+    Float4 normal;  // unit, front side
     Vec3 radiance;  // of the front, where it is the same all over
     float area;     // m2; 0: degenerate, never sampled
     float offset;   // metres, as SurfacePoint::offset

@@ -18,6 +18,9 @@ struct Hit {
   std::uint32_t instance = 0;  ///< Into Scene::instances.
   std::uint32_t mesh = 0;      ///< Into Scene::meshes.
   std::uint32_t triangle = 0;  ///< Into Mesh::triangles.
+
+  /// What Accelerator::intersect_each() leaves of a ray that hits nothing.
+  bool is_miss() const { return t == infinity; }
 };
 
 }  // namespace candil

@@ -47,10 +47,26 @@ Integer sobol_second_dimension_reversed(Integer index) {
   return index ^ (index >> 16);
 }
 
+using FloatLanes = float __attribute__((vector_size(32)));
+
+/// Four points in [0, 1)^2.
+struct FourPoints {
+  FloatLanes coordinates;  ///< The x of all, then the y.
+
+  Vec2 operator[](int i) const { return {coordinates[i], coordinates[i + 4]}; }
+};
+
 class Sampler {
  public:
   Sampler(glm::uvec2 pixel, std::uint32_t sample_index, std::uint64_t seed)
       : pixel_seed_(pixel_seed(pixel, seed)), reversed_index_(reverse_bits(sample_index)) {}
+
+  /// The sampler of another sample of the same pixel.
+  Sampler at_sample(std::uint32_t sample_index) const {
+    Sampler other = *this;
+    other.reversed_index_ = reverse_bits(sample_index);
+    return other;
+  }
 
   /// A point in [0, 1)^2. The points of the first 2^k samples form a (0, k, 2)-net.
   Vec2 sample_2d(std::uint32_t dimension) const {
@@ -63,7 +79,7 @@ class Sampler {
   }
 
   /// sample_2d() of four dimensions in a row, to the bit, for little more than the price of one.
-  std::array<Vec2, 4> sample_four_2d(std::uint32_t first_dimension) const {
+  FourPoints sample_four_2d(std::uint32_t first_dimension) const {
     // Lanes 0 to 3 become the x of the four points, 4 to 7 the y.
     const Lanes offset = {0, 1, 2, 3, 0, 1, 2, 3};
     const Lanes is_y = {0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U};
@@ -73,9 +89,9 @@ class Sampler {
     const Lanes index = reverse_bits(laine_karras_permutation(reversed_index_ + Lanes{}, seed));
     const Lanes sobol = (index & ~is_y) | (sobol_second_dimension_reversed(index) & is_y);
     const Lanes point = reverse_bits(laine_karras_permutation(sobol, seed * scramble));
-    std::array<Vec2, 4> points;
-    for (int i = 0; i < 4; ++i) points[i] = {to_unit_float(point[i]), to_unit_float(point[i + 4])};
-    return points;
+    using SignedLanes = std::int32_t __attribute__((vector_size(32)));
+    // Conversion from signed integers is one instruction; 24 bits have no sign.
+    return {__builtin_convertvector(reinterpret_cast<SignedLanes>(point >> 8), FloatLanes) * 0x1p-24f};
   }
 
  private:

@@ -89,6 +89,12 @@ struct Material {
   Vec3 attenuation_color{1.0f};
   float attenuation_distance = infinity;  ///< Metres.
 
+  bool is_textured() const {
+    // All bits are set in the id of no texture.
+    return (base_color_texture.texture & metallic_roughness_texture.texture & normal_texture.texture &
+            emission_texture.texture & specular_texture.texture & specular_color_texture.texture &
+            transmission_texture.texture) != invalid_id;
+  }
   bool is_transmissive() const { return transmission > 0; }
   bool is_volume() const { return transmission > 0 && thickness > 0; }
   bool is_emissive() const { return !is_black(emission) || is_unlit; }

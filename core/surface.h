@@ -9,22 +9,33 @@ namespace candil {
 /// A point on a surface, world space. Normals are on the front side, whichever side the ray came from.
 struct SurfacePoint {
   Vec3 position{0.0f};
-  Vec3 normal_geometric{0, 1, 0};  ///< Unit, of the flat triangle.
-  Vec3 normal{0, 1, 0};            ///< Unit, interpolated; the flat one where the mesh has none.
   float offset = 0;  ///< Metres to step off the surface so that rays do not hit it again (see offset_origin()).
-  Vec2 uv[2]{Vec2(0), Vec2(0)};
-  Vec4 color{1.0f};    ///< Vertex colour, white if absent.
-  Vec4 tangent{0.0f};  ///< xyz unit; w: bitangent = w cross(normal, tangent). Zero if the mesh has none.
-  std::uint32_t instance = 0, mesh = 0, triangle = 0, material = 0;
+  Vec3 normal_geometric{0, 1, 0};  ///< Unit, of the flat triangle.
+  std::uint32_t material = 0;
+  Vec3 normal{0, 1, 0};  ///< Unit, interpolated; the flat one where the mesh has none.
+  std::uint32_t instance = 0;
+  Vec4 tangent{0.0f};            ///< xyz unit; w: bitangent = w cross(normal, tangent). Zero if the mesh has none.
+  Vec4 color{1.0f};              ///< Vertex colour, white if absent.
+  Vec2 uv[2]{Vec2(0), Vec2(0)};  ///< Zero unless the material is_textured().
+  std::uint32_t mesh = 0, triangle = 0;
 };
 
 /// Looks up what `hit` names. The position is interpolated from the vertices: its error does not grow with the
 /// length of the ray.
 SurfacePoint make_surface_point(const Scene& scene, const Hit& hit);
 
-/// Starts to fetch what make_surface_point() reads first, for callers that have other work to do before.
+/// Starts to fetch what prefetch_surface_point() reads, for callers that have other work to do before.
 inline void prefetch_triangle(const Scene& scene, const Hit& hit) {
   __builtin_prefetch(&scene.meshes[hit.mesh].triangles[hit.triangle]);
+}
+/// Starts to fetch what make_surface_point() reads.
+inline void prefetch_surface_point(const Scene& scene, const Hit& hit) {
+  const Mesh& mesh = scene.meshes[hit.mesh];
+  const Triangle& triangle = mesh.triangles[hit.triangle];
+  for (int corner = 0; corner < 3; ++corner) {
+    __builtin_prefetch(mesh.positions.data() + triangle[corner]);
+    __builtin_prefetch(mesh.normals.data() + triangle[corner]);
+  }
 }
 
 /// Where a ray that leaves `point` along `direction` starts: on the side of the flat triangle that it leaves to. The

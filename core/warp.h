@@ -42,13 +42,6 @@ inline constexpr float pdf_sphere = 1 / (4 * pi);
 
 /// Barycentric weights of the second and third vertex, uniform over a triangle's area (Heitz 2019, "A Low-Distortion
 /// Map Between Triangle and Square").
-inline Vec2 sample_triangle(Vec2 u) {
-  if (u.y > u.x) {
-    const float x = 0.5f * u.x;
-    return {x, u.y - x};
-  }
-  const float y = 0.5f * u.y;
-  return {u.x - y, y};
-}
+inline Vec2 sample_triangle(Vec2 u) { return u - 0.5f * glm::min(u.x, u.y); }
 
 }  // namespace candil

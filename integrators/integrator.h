@@ -1,6 +1,8 @@
 /// What every integrator answers, and the table of them.
 #pragma once
 
+#include <span>
+
 #include "core/sampler.h"
 #include "integrators/render.h"
 
@@ -16,7 +18,19 @@ struct PathSample {
 using Integrator = PathSample (*)(const RenderContext&, const RenderSettings&, const Ray& camera_ray, const Sampler&,
                                   RayCounts& rays);
 
+/// A camera ray and the random numbers of its path.
+struct CameraSample {
+  Ray ray;
+  Sampler sampler;
+};
+
+/// Follows many camera rays, each as if it were alone. `results` is as long as `samples`.
+using BatchIntegrator = void (*)(const RenderContext&, const RenderSettings&, std::span<const CameraSample> samples,
+                                 std::span<PathSample> results, RayCounts& rays);
+
 /// Unidirectional path tracing with next-event estimation and multiple importance sampling.
+void trace_paths(const RenderContext&, const RenderSettings&, std::span<const CameraSample>, std::span<PathSample>,
+                 RayCounts&);
 PathSample trace_path(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
 /// The same expected value without next-event estimation: lights are found by chance. The oracle of trace_path().
 PathSample trace_naive(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
@@ -25,7 +39,7 @@ PathSample show_normals(const RenderContext&, const RenderSettings&, const Ray&,
 /// Albedo of the first hit's closure; emitters show as white.
 PathSample show_albedo(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
 
-Integrator integrator_function(IntegratorKind kind);
+BatchIntegrator integrator_function(IntegratorKind kind);
 
 /// Sampler dimensions: the camera's, then four for each vertex (see VertexSamples).
 namespace dimension {

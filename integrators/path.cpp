@@ -1,9 +1,19 @@
 // Path tracing with next-event estimation and multiple importance sampling (Kajiya 1986; Veach 1997, chapter 9).
+//
+// A few paths move on together, vertex by vertex: all look for their next hit, then all are shaded, then all shadow
+// rays are shot. What shading reads of a hit is fetched meanwhile, and each stage finds its code and branches warm.
+// Paths know nothing of each other, and each computes exactly what it would compute alone.
+#include <algorithm>
+#include <array>
+
 #include "core/emission.h"
 #include "integrators/path_state.h"
 
 namespace candil {
 namespace {
+
+/// More hide no more latency, and leave the first-level cache.
+constexpr std::size_t batch_size = 16;
 
 /// Weight of a strategy with density `pdf` beside one with density `other` (power heuristic, beta = 2).
 float mis_weight(float pdf, float other) {
@@ -12,65 +22,162 @@ float mis_weight(float pdf, float other) {
   return 1 / (1 + ratio * ratio);
 }
 
-/// Light that reaches the surface straight from a sampled light and goes on to wo.
-Vec3 direct_light(const RenderContext& context, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, double u_pick,
-                  Vec2 u_light, std::uint32_t medium, RayCounts& rays) {
-  const std::optional<LightSample> light = context.lights.sample(point, u_pick, u_light);
-  if (!light || is_black(light->radiance)) return Vec3(0);
-  const BsdfEval scattered = bsdf.eval(wo, light->wi);
-  if (is_black(scattered.f_cos)) return Vec3(0);
-  ++rays.shadow;
-  if (context.accelerator.occluded(light->shadow_ray)) return Vec3(0);
-  const float weight = light->is_delta ? 1.0f : mis_weight(light->pdf, scattered.pdf);
-  Vec3 radiance = scattered.f_cos * light->radiance * (weight / light->pdf);
-  const std::uint32_t crossed = medium_beyond(context.scene, point, light->wi, medium);
-  if (crossed != invalid_id) radiance *= volume_transmittance(context.scene, crossed, light->shadow_ray.t_max);
-  return radiance;
-}
-
 /// Weight of light that the closure's own sample ran into.
 float weight_of_found_light(const PathState& state, float light_pdf) {
   return state.is_specular ? 1.0f : mis_weight(state.bsdf_pdf, light_pdf);
 }
 
+/// A path, and what one stage leaves to the next.
+struct Lane {
+  PathState state;
+  Ray shadow_ray;
+  Vec3 shadow_radiance;  // what the path collects unless the shadow ray is blocked
+};
+
+/// Ids of lanes.
+struct LaneList {
+  std::array<std::uint8_t, batch_size> ids;
+  std::size_t count = 0;
+
+  void add(std::uint8_t lane) { ids[count++] = lane; }
+  const std::uint8_t* begin() const { return ids.data(); }
+  const std::uint8_t* end() const { return ids.data() + count; }
+};
+
+class Batch {
+ public:
+  Batch(const RenderContext& context, const RenderSettings& settings, RayCounts& rays)
+      : context_(context), scene_(context.scene), settings_(settings), rays_(rays) {}
+
+  /// At most batch_size paths.
+  void trace(std::span<const CameraSample> samples, std::span<PathSample> results) {
+    samples_ = samples;
+    LaneList active;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      lanes_[i].state = {};
+      lanes_[i].state.ray = samples[i].ray;
+      results[i].alpha = 1;
+      active.add(static_cast<std::uint8_t>(i));
+    }
+    rays_.camera += samples.size();
+    while (active.count > 0) {
+      const LaneList hits = intersect(active, results);
+      LaneList shadows;
+      active = {};
+      for (std::size_t k = 0; k < hits.count; ++k) {
+        const std::uint8_t i = hits.ids[k];
+        numbers_[k] = draw_vertex_samples(samples_[i].sampler, lanes_[i].state.bounce);
+      }
+      for (std::size_t k = 0; k < hits.count; ++k) {
+        if (shade(hits.ids[k], hits_[k], numbers_[k], shadows)) active.add(hits.ids[k]);
+      }
+      trace_shadow_rays(shadows);
+      rays_.bounce += active.count;
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) results[i].radiance = lanes_[i].state.radiance;
+  }
+
+ private:
+  /// Moves the paths to their next surface; those that leave the scene get its background and are not returned. The hit
+  /// of the k-th path returned is hits_[k].
+  LaneList intersect(const LaneList& active, std::span<PathSample> results) {
+    for (std::size_t k = 0; k < active.count; ++k) next_rays_[k] = lanes_[active.ids[k]].state.ray;
+    context_.accelerator.intersect_each(std::span(next_rays_).first(active.count), hits_);
+    for (std::size_t k = 0; k < active.count; ++k) {
+      if (!hits_[k].is_miss()) prefetch_triangle(scene_, hits_[k]);
+    }
+    LaneList hits;
+    for (std::size_t k = 0; k < active.count; ++k) {
+      const std::uint8_t i = active.ids[k];
+      PathState& state = lanes_[i].state;
+      if (!hits_[k].is_miss()) {
+        prefetch_surface_point(scene_, hits_[k]);
+        hits_[hits.count] = hits_[k];
+        hits.add(i);
+      } else if (state.bounce == 0 && settings_.transparent_background) {
+        results[i].alpha = 0;
+      } else {
+        const float weight = weight_of_found_light(state, context_.lights.pdf_miss(state.ray.direction));
+        state.radiance += state.throughput * background(context_, state) * weight;
+      }
+    }
+    return hits;
+  }
+
+  /// Collects what the surface emits, chooses a light, and turns the path to its next direction; false when it ends.
+  bool shade(std::uint8_t i, const Hit& hit, const VertexSamples& u, LaneList& shadows) {
+    Lane& lane = lanes_[i];
+    PathState& state = lane.state;
+    if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene_, state.medium, hit.t);
+
+    const SurfacePoint point = make_surface_point(scene_, hit);
+    const Vec3 wo = -state.ray.direction;
+    const Vec3 emitted = emitted_radiance(scene_, point, glm::dot(wo, point.normal_geometric) > 0);
+    if (!is_black(emitted)) {
+      const float light_pdf = state.is_specular ? 0 : context_.lights.pdf_hit(state.from, point);
+      state.radiance += state.throughput * emitted * weight_of_found_light(state, light_pdf);
+    }
+    if (state.bounce >= settings_.max_bounces) return false;
+
+    const Bsdf bsdf = make_bsdf(scene_, context_.tables, point, wo);
+    if (!bsdf.is_purely_delta() && !context_.lights.is_empty() && choose_light(lane, point, bsdf, wo, u)) {
+      shadows.add(i);
+    }
+    return scatter(state, scene_, point, bsdf, u.lobe, u.direction) && survives_roulette(state, u.roulette);
+  }
+
+  /// Next-event estimation up to the shadow ray; false when no light can come this way.
+  bool choose_light(Lane& lane, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, const VertexSamples& u) const {
+    const std::optional<LightSample> light = context_.lights.sample(point, u.light_choice, u.light);
+    if (!light || is_black(light->radiance)) return false;
+    const BsdfEval scattered = bsdf.eval(wo, light->wi);
+    if (is_black(scattered.f_cos)) return false;
+    const float weight = light->is_delta ? 1.0f : mis_weight(light->pdf, scattered.pdf);
+    Vec3 radiance = scattered.f_cos * light->radiance * (weight / light->pdf);
+    const std::uint32_t crossed = medium_beyond(scene_, point, light->wi, lane.state.medium);
+    if (crossed != invalid_id) radiance *= volume_transmittance(scene_, crossed, light->shadow_ray.t_max);
+    lane.shadow_ray = light->shadow_ray;
+    lane.shadow_radiance = lane.state.throughput * radiance;
+    return true;
+  }
+
+  void trace_shadow_rays(const LaneList& shadows) {
+    rays_.shadow += shadows.count;
+    for (const std::uint8_t i : shadows) {
+      Lane& lane = lanes_[i];
+      if (!context_.accelerator.occluded(lane.shadow_ray)) lane.state.radiance += lane.shadow_radiance;
+    }
+  }
+
+  const RenderContext& context_;
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  RayCounts& rays_;
+  std::span<const CameraSample> samples_;
+  std::array<Lane, batch_size> lanes_;
+  // Of the paths in hand, without gaps.
+  std::array<Ray, batch_size> next_rays_;
+  std::array<Hit, batch_size> hits_;
+  std::array<VertexSamples, batch_size> numbers_;
+};
+
 }  // namespace
+
+void trace_paths(const RenderContext& context, const RenderSettings& settings, std::span<const CameraSample> samples,
+                 std::span<PathSample> results, RayCounts& rays) {
+  Batch batch(context, settings, rays);
+  for (std::size_t first = 0; first < samples.size(); first += batch_size) {
+    const std::size_t count = std::min(batch_size, samples.size() - first);
+    batch.trace(samples.subspan(first, count), results.subspan(first, count));
+  }
+}
 
 PathSample trace_path(const RenderContext& context, const RenderSettings& settings, const Ray& camera_ray,
                       const Sampler& sampler, RayCounts& rays) {
-  PathState state;
-  state.ray = camera_ray;
-  ++rays.camera;
-  while (true) {
-    const std::optional<Hit> hit = context.accelerator.intersect(state.ray);
-    if (!hit) {
-      if (state.bounce == 0 && settings.transparent_background) return {};
-      const float weight = weight_of_found_light(state, context.lights.pdf_miss(state.ray.direction));
-      state.radiance += state.throughput * background(context, state) * weight;
-      break;
-    }
-    prefetch_triangle(context.scene, *hit);
-    const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
-    if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
-
-    const SurfacePoint point = make_surface_point(context.scene, *hit);
-    const Vec3 wo = -state.ray.direction;
-    const Vec3 emitted = emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
-    if (!is_black(emitted)) {
-      const float light_pdf = state.is_specular ? 0 : context.lights.pdf_hit(state.from, point);
-      state.radiance += state.throughput * emitted * weight_of_found_light(state, light_pdf);
-    }
-    if (state.bounce >= settings.max_bounces) break;
-
-    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
-    if (!bsdf.is_purely_delta() && !context.lights.is_empty()) {
-      state.radiance +=
-          state.throughput * direct_light(context, point, bsdf, wo, u.light_choice, u.light, state.medium, rays);
-    }
-    if (!scatter(state, context.scene, point, bsdf, u.lobe, u.direction)) break;
-    if (!survives_roulette(state, u.roulette)) break;
-    ++rays.bounce;
-  }
-  return {state.radiance, 1};
+  const CameraSample sample{camera_ray, sampler};
+  PathSample result;
+  trace_paths(context, settings, {&sample, 1}, {&result, 1}, rays);
+  return result;
 }
 
 }  // namespace candil

@@ -30,15 +30,11 @@ bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, co
   state.sees_backdrop = state.sees_backdrop && sample->is_delta && sample->is_transmission;
   state.from = point.position;
   state.medium = medium_beyond(scene, point, sample->wi, state.medium);
-  state.ray = {offset_origin(point, sample->wi), sample->wi};
+  state.ray.origin = offset_origin(point, sample->wi);
+  state.ray.direction = sample->wi;
+  state.ray.t_max = infinity;
   ++state.bounce;
   return true;
-}
-
-VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce) {
-  const std::array<Vec2, 4> u = sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex);
-  const double light_choice = static_cast<double>(u[1].x) + 0x1p-24 * static_cast<double>(u[3].y);
-  return {u[0], light_choice, u[1].y, u[2], u[3].x};
 }
 
 bool survives_roulette(PathState& state, float u_roulette) {

@@ -29,7 +29,11 @@ struct VertexSamples {
   float roulette;
 };
 
-VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce);
+inline VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce) {
+  const FourPoints u = sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex);
+  const double light_choice = static_cast<double>(u[1].x) + 0x1p-24 * static_cast<double>(u[3].y);
+  return {u[0], light_choice, u[1].y, u[2], u[3].x};
+}
 
 /// What is left of light after `distance` metres in the volume of a material: Beer-Lambert with the attenuation colour
 /// reached at the attenuation distance (KHR_materials_volume).

@@ -35,6 +35,14 @@ class DenormalsAreZero {
   unsigned saved_;
 };
 
+template <Integrator trace_one>
+void trace_each(const RenderContext& context, const RenderSettings& settings, std::span<const CameraSample> samples,
+                std::span<PathSample> results, RayCounts& rays) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    results[i] = trace_one(context, settings, samples[i].ray, samples[i].sampler, rays);
+  }
+}
+
 struct Block {
   std::uint32_t first_sample, samples;
 };
@@ -56,7 +64,9 @@ class RenderJob {
 
   RenderResult run() {
     const std::uint32_t wanted = settings_.samples_per_pixel;
-    while (film_.sample_count() < wanted && !is_stopped() && !is_out_of_time()) {
+    while (film_.sample_count() < wanted) {
+      // The first block always ends, so that there is a picture to write.
+      if (film_.sample_count() > 0 && (is_stopped() || is_out_of_time())) break;
       const Block block{film_.sample_count(), next_block_size(film_.sample_count(), wanted)};
       film_.begin_block();
       tiles_done_ = 0;
@@ -86,7 +96,6 @@ class RenderJob {
     tbb::parallel_for(
         image,
         [&](const Tiles& tile) {
-          // The first block always ends, so that there is a picture to write.
           if (block.first_sample > 0 && (is_cancelled_ || is_stopped() || is_out_of_time())) {
             is_cancelled_ = true;
             return;
@@ -98,18 +107,35 @@ class RenderJob {
         tbb::simple_partitioner());
   }
 
+  CameraSample camera_sample(Vec2 pixel, const Sampler& sampler) const {
+    const Vec2 position = pixel + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
+    const Vec2 u_lens = camera_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
+    return {camera_.ray(position, u_lens), sampler};
+  }
+
   void render_tile(const tbb::blocked_range2d<int>& tile, const Block& block) {
     const DenormalsAreZero denormals_are_zero;
     RayCounts rays;
     std::uint64_t non_finite = 0;
+    std::vector<CameraSample> samples;
+    samples.reserve(tile.rows().size() * tile.cols().size() * block.samples);
+    for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+        const Sampler sampler({x, y}, 0, settings_.seed);
+        for (std::uint32_t i = 0; i < block.samples; ++i) {
+          samples.push_back(camera_sample({x, y}, sampler.at_sample(block.first_sample + i)));
+        }
+      }
+    }
+    std::vector<PathSample> results(samples.size());
+    trace_(context_, settings_, samples, results, rays);
+
+    const PathSample* next = results.data();
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         PairwiseSum sum;
         for (std::uint32_t i = 0; i < block.samples; ++i) {
-          const Sampler sampler({x, y}, block.first_sample + i, settings_.seed);
-          const Vec2 position = Vec2(x, y) + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
-          const Vec2 u_lens = camera_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
-          PathSample sample = trace_(context_, settings_, camera_.ray(position, u_lens), sampler, rays);
+          PathSample sample = *next++;
           if (!is_finite(sample.radiance)) {
             ++non_finite;
             sample.radiance = Vec3(0);
@@ -152,7 +178,7 @@ class RenderJob {
   const RenderSettings& settings_;
   const CameraRays camera_;
   const PixelFilter filter_;
-  const Integrator trace_;
+  const BatchIntegrator trace_;
   const std::function<void(const RenderProgress&)>& on_progress_;
   const std::atomic<bool>* stop_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -176,18 +202,18 @@ std::optional<IntegratorKind> integrator_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-Integrator integrator_function(IntegratorKind kind) {
+BatchIntegrator integrator_function(IntegratorKind kind) {
   switch (kind) {
     case IntegratorKind::path:
-      return trace_path;
+      return trace_paths;
     case IntegratorKind::naive:
-      return trace_naive;
+      return trace_each<trace_naive>;
     case IntegratorKind::normals:
-      return show_normals;
+      return trace_each<show_normals>;
     case IntegratorKind::albedo:
-      return show_albedo;
+      return trace_each<show_albedo>;
   }
-  return trace_path;
+  return trace_paths;
 }
 
 RenderResult render(const RenderContext& context, const Camera& camera, const RenderSettings& settings,

@@ -23,7 +23,7 @@ class Bsdf {
   /// A direction; nothing when the path ends here (absorbed, or below the surface). u in [0, 1).
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
   /// Only delta lobes: light sampling cannot contribute.
-  bool is_purely_delta() const;
+  bool is_purely_delta() const { return is_lambertian_ ? is_black(diffuse_) : has_only_delta_lobes(); }
   /// Reflectance and transmittance together, roughly, for feature images; in [0, 1].
   Vec3 albedo() const;
   /// Unit, on the side of wo, after normal mapping.
@@ -35,8 +35,13 @@ class Bsdf {
   /// Whether wi leaves on the side that the local frame and the flat triangle agree on.
   bool sides_agree(Vec3 wi, float local_z) const { return glm::dot(wi, geometric_normal_) * local_z > 0; }
 
+  bool has_only_delta_lobes() const;
+  std::optional<BsdfSample> sample_lambertian(Vec2 u) const;
+
   Frame frame_;                  // z: shading normal, on the side of wo
   Vec3 geometric_normal_;        // on the side of wo
+  bool is_lambertian_ = false;   // diffuse_ alone; no lobes
+  Vec3 diffuse_;                 // albedo; has a value if is_lambertian_
   float dielectric_weight_ = 0;  // 0: opaque lobes only; 1: dielectric lobes only
   // Each is there when the weight gives it a share; most surfaces never pay for the other.
   std::optional<OpaqueLobes> opaque_;

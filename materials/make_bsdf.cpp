@@ -51,13 +51,13 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo, has_specular);
   Bsdf bsdf(normal, normal_geometric);
   if (material.is_unlit) {
-    bsdf.opaque_.emplace(OpaqueParameters{}, tables.ggx(), Vec3(0, 0, 1));  // black: it only emits
+    bsdf.is_lambertian_ = true, bsdf.diffuse_ = Vec3(0);  // it only emits
     return bsdf;
   }
 
   const Vec3 base(base_color(scene, material, point.uv, point.color));
   if (!has_specular) {  // Lambertian, whatever the other parameters are
-    bsdf.opaque_.emplace(OpaqueParameters{1, 0, base, Vec3(0), Vec3(0)}, tables.ggx(), Vec3(0, 0, 1));
+    bsdf.is_lambertian_ = true, bsdf.diffuse_ = base;
     return bsdf;
   }
   float metallic = material.metallic, roughness = material.roughness;

@@ -81,7 +81,7 @@ TEST(Sampler, ScramblingKeepsWhatLowerBitsShare) {
 TEST(Sampler, FourPointsAtOnceAreTheSameAsOneByOne) {
   for (std::uint32_t index = 0; index < 300; ++index) {
     const Sampler sampler({index % 7, 1000 - index}, index * 2654435761U, 42);
-    const std::array<Vec2, 4> four = sampler.sample_four_2d(index);
+    const FourPoints four = sampler.sample_four_2d(index);
     for (std::uint32_t i = 0; i < 4; ++i) ASSERT_EQ(four[i], sampler.sample_2d(index + i)) << index << ", " << i;
   }
 }

@@ -31,6 +31,7 @@ Scene triangle_scene(const Affine& to_world, bool is_smooth = true) {
   scene.objects = {{"", 0, 1}};
   scene.instances = {{"", 0, to_world, false}};
   scene.materials.resize(1);
+  scene.materials[0].base_color_texture.texture = 0;  // texture coordinates are only looked up for textures
   return scene;
 }
 

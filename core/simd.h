@@ -1,0 +1,34 @@
+/// Vec3 in a vector register, for the code that every ray runs through: GLM works component by component.
+#pragma once
+
+#include "core/affine.h"
+
+namespace candil {
+
+/// Lane 3 is not used; it is kept finite.
+using Float4 = float __attribute__((vector_size(16)));
+
+inline Float4 to_lanes(Vec3 v) { return Float4{v.x, v.y, v.z, 0}; }
+inline Vec3 to_vec3(Float4 v) { return {v[0], v[1], v[2]}; }
+inline Float4 splat(float x) { return Float4{x, x, x, x}; }
+
+inline Float4 absolute(Float4 v) { return v < 0 ? -v : v; }
+inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
+inline float max_component(Float4 v) { return glm::max(glm::max(v[0], v[1]), v[2]); }
+inline float dot(Float4 a, Float4 b) {
+  const Float4 product = a * b;
+  return product[0] + product[1] + product[2];
+}
+/// (y, z, x) of each.
+inline Float4 rotate_lanes(Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
+inline Float4 cross(Float4 a, Float4 b) { return rotate_lanes(a * rotate_lanes(b) - rotate_lanes(a) * b); }
+
+/// Columns of a matrix.
+struct Float4x3 {
+  Float4 x, y, z;
+  explicit Float4x3(const Mat3& m) : x(to_lanes(m[0])), y(to_lanes(m[1])), z(to_lanes(m[2])) {}
+  Float4x3(Float4 column_x, Float4 column_y, Float4 column_z) : x(column_x), y(column_y), z(column_z) {}
+  Float4 operator*(Float4 v) const { return x * v[0] + y * v[1] + z * v[2]; }
+};
+
+}  // namespace candil
