@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/render_arguments.h"
+#include "apps/tonemap_arguments.h"
 #include "apps/usage_error.h"
 #include "apps/versions.h"
 
@@ -20,6 +21,7 @@ Examples:
   candil model.glb
   candil model.glb -o picture.png --spp 256 --size 1920x1080
   candil info model.glb
+  candil tonemap picture.exr -o picture.png --operator agx
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -40,7 +42,7 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "info", "-h", "--help", "--version"};
+  constexpr std::string_view known[] = {"render", "tonemap", "info", "-h", "--help", "--version"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
@@ -64,6 +66,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   RenderOptions render_options;
   CLI::App* const render = app.add_subcommand("render", "Render a scene to image files (the default command)");
   add_render_arguments(*render, render_options);
+  TonemapOptions tonemap_options;
+  CLI::App* const tonemap = app.add_subcommand("tonemap", "Make an image of linear values fit for a display");
+  add_tonemap_arguments(*tonemap, tonemap_options);
   InfoOptions info_options;
   CLI::App* const info = app.add_subcommand("info", "Tell what is in a scene");
   add_info_arguments(*info, info_options);
@@ -71,13 +76,15 @@ Command parse_command_line(int argc, const char* const* argv) {
   try {
     app.parse(with_command(argc, argv));
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* const asked = render->parsed() ? render : info->parsed() ? info : &app;
+    const std::vector<CLI::App*> named = app.get_subcommands();
+    const CLI::App* const asked = named.empty() ? &app : named.front();
     return PrintText{asked->help(asked == &app ? "" : "candil")};
   } catch (const CLI::CallForVersion& version) {
     return PrintText{version.what() + std::string("\n")};
   } catch (const CLI::ParseError& error) {
     throw UsageError(one_line(error.what()) + "; see `candil --help`");
   }
+  if (tonemap->parsed()) return tonemap_options;
   if (info->parsed()) return info_options;
   check_render_arguments(render_options);
   return render_options;

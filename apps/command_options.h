@@ -25,6 +25,14 @@ struct RenderOptions {
   bool is_quiet = false;
 };
 
+/// `candil tonemap`.
+struct TonemapOptions {
+  std::filesystem::path input;
+  std::vector<std::string> outputs;  ///< As typed; empty: a PNG named after the input.
+  DisplayOptions display;            ///< Alpha is written where the input has it, whatever `is_transparent` says.
+  bool is_quiet = false;
+};
+
 /// `candil info`.
 struct InfoOptions {
   std::filesystem::path scene;

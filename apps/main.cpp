@@ -9,6 +9,7 @@
 #include "apps/info_command.h"
 #include "apps/messages.h"
 #include "apps/render_command.h"
+#include "apps/tonemap_command.h"
 #include "apps/usage_error.h"
 #include "io/error.h"
 
@@ -16,6 +17,7 @@ namespace candil {
 namespace {
 
 int run(const RenderOptions& options) { return run_render(options); }
+int run(const TonemapOptions& options) { return run_tonemap(options); }
 int run(const InfoOptions& options) { return run_info(options); }
 int run(const PrintText& print) {
   std::fputs(print.text.c_str(), stdout);

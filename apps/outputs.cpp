@@ -32,12 +32,12 @@ void write_output(const Output& output, const Image& linear, const DisplayOption
                   const ImageMetadata& metadata) {
   const bool with_alpha = display.is_transparent && (output.is_standard_output() || has_alpha_channel(output.path));
   const Image image = with_alpha ? linear : without_alpha(linear);
-  if (output.is_standard_output())
-    return write_standard_output(
-        encode_png(to_display(image, display.exposure, display.tonemap.value_or(Tonemap::neutral)), with_alpha));
-  if (is_linear_format(output.path)) return write_image(output.path, image, with_alpha, metadata);
-  write_image(output.path, to_display(image, display.exposure, display.tonemap.value_or(Tonemap::neutral)), with_alpha,
-              metadata);
+  if (!output.is_standard_output() && is_linear_format(output.path, display.ppm))
+    return write_image(output.path, image, with_alpha, metadata, display.ppm);
+  const Tonemap tonemap = display.tonemap.value_or(make_tonemap(TonemapKind::neutral));
+  const Image shown = to_display(image, display.exposure, tonemap);
+  if (output.is_standard_output()) return write_standard_output(encode_png(shown, with_alpha));
+  write_image(output.path, shown, with_alpha, metadata, display.ppm);
 }
 
 void check_output(const Output& output) {
@@ -58,10 +58,10 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& names, const fs::path& scene_file) {
+std::vector<Output> plan_outputs(const std::vector<std::string>& names, const fs::path& input) {
   std::vector<Output> outputs;
   for (const std::string& name : names) outputs.push_back({name});
-  if (outputs.empty()) outputs.push_back({scene_file.stem().string() + ".png"});
+  if (outputs.empty()) outputs.push_back({input.stem().string() + ".png"});
   for (const Output& output : outputs) check_output(output);
   if (std::ranges::count_if(outputs, &Output::is_standard_output) > 1)
     throw UsageError("-o -: standard output can be used only once");
@@ -79,9 +79,19 @@ void check_inputs_survive(std::span<const Output> outputs, const fs::path& scene
                                      output.path.string()));
 }
 
+void check_input_survives(std::span<const Output> outputs, const fs::path& input) {
+  for (const Output& output : outputs)
+    if (is_same_file(output.path, input))
+      throw UsageError(fmt::format("-o: {} is the input itself; choose another name with -o", output.path.string()));
+}
+
 void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
                    const ImageMetadata& metadata) {
-  const Image linear = film.mean();
+  write_outputs(outputs, film.mean(), display, metadata);
+}
+
+void write_outputs(std::span<const Output> outputs, const Image& linear, const DisplayOptions& display,
+                   const ImageMetadata& metadata) {
   std::exception_ptr first_error;
   for (const Output& output : outputs) {
     try {

@@ -26,18 +26,27 @@ struct DisplayOptions {
   float exposure = 0;              ///< Stops.
   std::optional<Tonemap> tonemap;  ///< Absent: neutral for pictures, none for the views of normals and albedo.
   bool is_transparent = false;     ///< Alpha is written where the format has it.
+  PpmKind ppm = PpmKind::binary;   ///< What .ppm files hold.
 };
 
-/// The files that `names` mean; without names SCENE.png in the current folder. Throws UsageError for unknown formats
+/// The files that `names` mean; without names INPUT.png in the current folder. Throws UsageError for unknown formats
 /// and for standard output twice, OutputError for what cannot be written.
-std::vector<Output> plan_outputs(const std::vector<std::string>& names, const std::filesystem::path& scene_file);
+std::vector<Output> plan_outputs(const std::vector<std::string>& names, const std::filesystem::path& input);
 
 /// Throws UsageError when an output would replace a file that the render reads: the scene, one of its images, or the
 /// environment.
 void check_inputs_survive(std::span<const Output> outputs, const std::filesystem::path& scene_file, const Scene& scene,
                           const std::filesystem::path& environment_file);
 
-/// Writes every output, also when one of them fails; throws the first OutputError at the end.
+/// Throws UsageError when an output would replace `input`.
+void check_input_survives(std::span<const Output> outputs, const std::filesystem::path& input);
+
+/// Writes `linear` (premultiplied) to every output, also when one of them fails; throws the first OutputError at the
+/// end.
+void write_outputs(std::span<const Output> outputs, const Image& linear, const DisplayOptions& display,
+                   const ImageMetadata& metadata);
+
+/// The same with the mean of a film.
 void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
                    const ImageMetadata& metadata);
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 
+#include "apps/display_arguments.h"
 #include "apps/usage_error.h"
 
 namespace candil {
@@ -160,16 +161,7 @@ void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& op
                 [&](const auto& option, const auto& text) { options.size = parse_size(option, text); });
   arguments.add_flag("--transparent", "Leave the background out: alpha in .png .tif .exr",
                      options.display.is_transparent);
-  arguments.add(
-      "--exposure", "STOPS", "Brighten (or darken) display formats by factors of two",
-      [&](const auto& option, const auto& text) { options.display.exposure = parse_float(option, text, -64, 64); });
-  arguments.add("--tonemap", "NAME",
-                "For display formats: neutral (default; none for normals and albedo), clamp or none",
-                [&](const auto& option, const auto& text) {
-                  const std::optional<Tonemap> tonemap = tonemap_from_name(text);
-                  if (!tonemap) fail_choice(option, text, tonemap_names());
-                  options.display.tonemap = *tonemap;
-                });
+  add_display_arguments(app, "--tonemap", "neutral; none for normals and albedo", options.display);
   arguments.add("--stats", "FILE", "Write times, counts and versions as JSON",
                 [&](const auto&, const auto& text) { options.statistics = text; });
   arguments.add_flag("--quiet,-q", "No progress and no list of files; warnings and errors stay", options.is_quiet);
@@ -197,7 +189,8 @@ void check_render_arguments(RenderOptions& options) {
   if (settings.samples_per_pixel == 0)
     settings.samples_per_pixel = settings.time_limit_seconds > 0 ? max_samples : default_samples;
   const bool is_picture = settings.integrator == IntegratorKind::path || settings.integrator == IntegratorKind::naive;
-  if (!options.display.tonemap) options.display.tonemap = is_picture ? Tonemap::neutral : Tonemap::none;
+  if (!options.display.tonemap)
+    options.display.tonemap = make_tonemap(is_picture ? TonemapKind::neutral : TonemapKind::none);
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 

@@ -12,6 +12,7 @@
 
 #include "io/image_png.h"
 #include "io/image_pnm.h"
+#include "io/image_ppm.h"
 
 namespace candil {
 namespace {
@@ -34,7 +35,10 @@ const char* library_name(ImageFormat format) {
       return "hdr";
     case ImageFormat::exr:
       return "openexr";
+    case ImageFormat::tiff:
+      return "tiff";
     case ImageFormat::pfm:
+    case ImageFormat::ppm:
       break;  // read without the library
   }
   return "";
@@ -92,6 +96,15 @@ int first_color_channel(const OIIO::ImageSpec& spec) {
   throw std::runtime_error("no channels R, G and B among its " + std::to_string(spec.nchannels));
 }
 
+/// R, G, B and, where it follows, A of the same layer.
+int count_color_channels(const OIIO::ImageSpec& spec, int first) {
+  const std::size_t alpha = static_cast<std::size_t>(first) + 3;
+  if (alpha >= spec.channelnames.size()) return 3;
+  std::string expected = spec.channelnames[first];
+  expected.back() = 'A';
+  return spec.channelnames[alpha] == expected ? 4 : 3;
+}
+
 /// OpenImageIO before 2.5 multiplies the colours of WebP files by alpha, whatever it is asked. What alpha 0 has
 /// erased stays black.
 void divide_by_alpha(std::vector<std::uint8_t>& rgba) {
@@ -126,6 +139,8 @@ std::optional<ImageFormat> detect_image_format(Bytes encoded) {
   if (has_at(encoded, 0, "RIFF") && has_at(encoded, 8, "WEBP")) return ImageFormat::webp;
   if (has_at(encoded, 0, "#?")) return ImageFormat::hdr;
   if (has_at(encoded, 0, "\x76\x2f\x31\x01")) return ImageFormat::exr;
+  if (has_at(encoded, 0, "P3") || has_at(encoded, 0, "P6")) return ImageFormat::ppm;
+  if (has_at(encoded, 0, {"II*\0", 4}) || has_at(encoded, 0, {"MM\0*", 4})) return ImageFormat::tiff;
   if (has_at(encoded, 0, "PF") || has_at(encoded, 0, "Pf")) return ImageFormat::pfm;
   return std::nullopt;
 }
@@ -133,7 +148,11 @@ std::optional<ImageFormat> detect_image_format(Bytes encoded) {
 DecodedImage decode_image(Bytes encoded, ImageFormat format) {
   if (format == ImageFormat::pfm) {
     PfmImage pfm = decode_pfm(encoded, max_image_size);
-    return {pfm.width, pfm.height, pfm.channels, {}, std::move(pfm.values)};
+    return {pfm.width, pfm.height, pfm.channels, {}, std::move(pfm.values), true};
+  }
+  if (format == ImageFormat::ppm) {
+    PpmImage ppm = decode_ppm(encoded, max_image_size);
+    return {ppm.width, ppm.height, 3, {}, std::move(ppm.values), ppm.is_linear};
   }
   if (format == ImageFormat::jpeg) check_jpeg_scans(encoded);
   std::vector<std::byte> png;
@@ -146,9 +165,11 @@ DecodedImage decode_image(Bytes encoded, ImageFormat format) {
 
   DecodedImage image;
   image.width = spec.width, image.height = spec.height;
-  image.channels = spec.nchannels > 4 ? 3 : spec.nchannels;
   const int first = spec.nchannels > 4 ? first_color_channel(spec) : 0;
+  image.channels = spec.nchannels > 4 ? count_color_channels(spec, first) : spec.nchannels;
   const std::size_t count = static_cast<std::size_t>(spec.width) * spec.height * image.channels;
+  image.is_linear = format == ImageFormat::hdr || spec.format.is_floating_point();
+  image.is_unassociated = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
   const bool is_8_bit = spec.format == OIIO::TypeDesc::UINT8;
   is_8_bit ? image.bytes.resize(count) : image.floats.resize(count);
   void* const pixels = is_8_bit ? static_cast<void*>(image.bytes.data()) : image.floats.data();
@@ -157,8 +178,10 @@ DecodedImage decode_image(Bytes encoded, ImageFormat format) {
     throw std::runtime_error(first_line(input->geterror()));
   input->close();
   static_cast<void>(input->geterror());  // complaints about a readable image would be printed when it is destroyed
-  if (format == ImageFormat::webp && image.channels == 4 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0)
+  if (format == ImageFormat::webp && image.channels == 4 && !image.is_unassociated) {
     divide_by_alpha(image.bytes);
+    image.is_unassociated = true;
+  }
   return image;
 }
 

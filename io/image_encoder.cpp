@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "io/image_pnm.h"
+#include "io/image_ppm.h"
 
 namespace candil {
 namespace {
@@ -72,12 +73,14 @@ OIIO::ImageSpec make_spec(const std::string& extension, const Image& image, int 
 }  // namespace
 
 std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
-                                    const ImageMetadata& metadata) {
+                                    const ImageMetadata& metadata, PpmKind ppm) {
   const int channels = with_alpha && has_alpha_channel("image" + extension) ? 4 : 3;
-  const bool is_8_bit = !is_linear_format("image" + extension);
+  const bool is_8_bit = !is_linear_format("image" + extension, ppm);
   const OIIO::TypeDesc type = is_8_bit ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   const std::vector<float> values = select_channels(image, channels);
   const std::vector<std::uint8_t> bytes = is_8_bit ? to_bytes(values) : std::vector<std::uint8_t>();
+  if (extension == ".ppm" && ppm == PpmKind::hdr) return encode_hdr_ppm(image.width, image.height, values);
+  if (extension == ".ppm" && ppm == PpmKind::ascii) return encode_ascii_ppm(image.width, image.height, bytes);
   if (extension == ".ppm") return encode_ppm(image.width, image.height, bytes);
   if (extension == ".pfm") return encode_pfm(image.width, image.height, values);
 

@@ -10,9 +10,9 @@
 
 namespace candil {
 
-/// `extension` is lower case with its dot, one that is_writable_image() knows; pixels and alpha as for write_image().
-/// The same arguments give the same bytes: no time stamps. Throws std::runtime_error with one line.
+/// `extension` is lower case with its dot, one that is_writable_image() knows; pixels, alpha and PPM kind as for
+/// write_image(). The same arguments give the same bytes: no time stamps. Throws std::runtime_error with one line.
 std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
-                                    const ImageMetadata& metadata);
+                                    const ImageMetadata& metadata, PpmKind ppm);
 
 }  // namespace candil

@@ -24,8 +24,9 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 }  // namespace
 
-bool is_linear_format(const std::filesystem::path& path) {
+bool is_linear_format(const std::filesystem::path& path, PpmKind ppm) {
   const std::string extension = lower_extension(path);
+  if (extension == ".ppm") return ppm == PpmKind::hdr;
   return extension == ".exr" || extension == ".hdr" || extension == ".pfm";
 }
 
@@ -39,12 +40,12 @@ bool is_writable_image(const std::filesystem::path& path) {
   return is_linear_format(path) || std::ranges::find(display, lower_extension(path)) != display.end();
 }
 
-void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha,
-                 const ImageMetadata& metadata) {
+void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata,
+                 PpmKind ppm) {
   if (!is_writable_image(path)) throw OutputError(path.string(), "unknown image format");
   std::vector<std::byte> encoded;
   try {
-    encoded = encode_image(lower_extension(path), image, with_alpha, metadata);
+    encoded = encode_image(lower_extension(path), image, with_alpha, metadata, ppm);
   } catch (const std::runtime_error& error) {
     throw OutputError(path.string(), error.what());
   }
@@ -53,7 +54,7 @@ void write_image(const std::filesystem::path& path, const Image& image, bool wit
 
 std::vector<std::byte> encode_png(const Image& display, bool with_alpha) {
   try {
-    return encode_image(".png", display, with_alpha, {});
+    return encode_image(".png", display, with_alpha, {}, PpmKind::binary);
   } catch (const std::runtime_error& error) {
     throw OutputError("standard output", error.what());
   }

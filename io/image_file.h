@@ -18,25 +18,36 @@ namespace candil {
 TextureImage decode_texture(std::span<const std::byte> encoded, const std::string& name, const std::string& file,
                             const std::string& place);
 
-/// Reads an environment (.hdr, .exr, also .pfm, .png, .jpg: sRGB files are made linear) as three linear float channels.
-/// Negative values, which resampling leaves in many published environments, become 0. Throws InputError; a non-finite
-/// value is an error that names the pixel.
+/// Reads any image that is supported (EXR, HDR, PFM, TIFF, PPM of every PpmKind, PNG, JPEG, WebP) as linear values: 3
+/// channels, or 4 with premultiplied alpha where the file has alpha; grey is copied to R, G and B. Integer files, but
+/// for PPM of kind hdr, hold sRGB and are made linear; float files are taken as they are, negative and non-finite
+/// values too. EXR files of several layers give the first set of R, G, B (and A). Throws InputError.
+Image read_image(const std::filesystem::path& path);
+
+/// Reads an environment, any image that read_image() knows, as three linear float channels. Negative values, which
+/// resampling leaves in many published environments, become 0. Throws InputError; a non-finite value is an error that
+/// names the pixel.
 Image read_environment(const std::filesystem::path& path);
 
 /// Key and value pairs for the header of files that can carry them (EXR), e.g. {"candil:seed", "7"}.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
+/// What is written to .ppm files (io/image_ppm.h): display values, binary (P6) or ascii (P3), or linear ones with a
+/// maximum (hdr).
+enum class PpmKind { binary, ascii, hdr };
+
 /// True when write_image() knows the extension: .exr .hdr .pfm (linear); .png .jpg .jpeg .tif .tiff .ppm (display).
 bool is_writable_image(const std::filesystem::path& path);
-/// True for the formats that store scene-linear values.
-bool is_linear_format(const std::filesystem::path& path);
+/// True for the formats that store scene-linear values: .exr .hdr .pfm, and .ppm where it is to be PpmKind::hdr.
+bool is_linear_format(const std::filesystem::path& path, PpmKind ppm = PpmKind::binary);
 /// True for the formats that can store alpha: .exr .png .tif .tiff.
 bool has_alpha_channel(const std::filesystem::path& path);
 
 /// Writes beside the target and renames, so that the target is whole or untouched. `image` holds linear values for
 /// linear formats (premultiplied alpha) and display values in [0, 1] for the others (unassociated alpha; 8 bits). The
 /// alpha channel is written only if `with_alpha` and the format has one. Throws OutputError.
-void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata);
+void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata,
+                 PpmKind ppm = PpmKind::binary);
 
 /// An 8-bit PNG in memory, for standard output. `display` is as for write_image(). Throws OutputError.
 std::vector<std::byte> encode_png(const Image& display, bool with_alpha);

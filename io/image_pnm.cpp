@@ -3,6 +3,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -43,13 +44,6 @@ float swap_bytes(float value) {
 }
 
 }  // namespace
-
-std::vector<std::byte> encode_ppm(int width, int height, std::span<const std::uint8_t> rgb) {
-  const std::string header = "P6\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
-  std::vector<std::byte> encoded = with_header(header, rgb.size());
-  std::memcpy(encoded.data() + header.size(), rgb.data(), rgb.size());
-  return encoded;
-}
 
 std::vector<std::byte> encode_pfm(int width, int height, std::span<const float> rgb) {
   static_assert(std::endian::native == std::endian::little);

@@ -1,15 +1,11 @@
-/// The plainest formats of all, without a library: OpenImageIO 2.4 cannot write PFM.
+/// Portable float maps (PFM), without a library: OpenImageIO 2.4 cannot write them.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace candil {
-
-/// Binary PPM (P6) of 8 bits: `rgb` has three values per pixel, rows from top to bottom.
-std::vector<std::byte> encode_ppm(int width, int height, std::span<const std::uint8_t> rgb);
 
 /// Colour PFM (PF), little-endian: `rgb` has three values per pixel, rows from top to bottom; the file stores them from
 /// bottom to top.

@@ -51,7 +51,22 @@ const std::vector<WrongUsage> wrong_usages = {
     {{"square.gltf", "--max-bounces", "many"}, "--max-bounces"},
     {{"square.gltf", "--filter", "triangle"}, "--filter: 'triangle' is not one of blackman-harris, box, gaussian"},
     {{"square.gltf", "--integrator", "Path"}, "--integrator: 'Path' is not one of path, naive, normals, albedo"},
-    {{"square.gltf", "--tonemap", "aces?"}, "--tonemap: 'aces?' is not one of neutral, clamp, none"},
+    {{"square.gltf", "--tonemap", "aces?"}, "--tonemap: 'aces?' is not one of neutral, aces, agx, reinhard02, "},
+    {{"square.gltf", "--tonemap", "aces:key=1"}, "--tonemap: aces takes no parameters, not 'key'"},
+    {{"square.gltf", "--tonemap", "reinhard02:gamma=1"},
+     "--tonemap: 'gamma' is not a parameter of reinhard02, which takes key, white"},
+    {{"square.gltf", "--tonemap", "reinhard02:key"}, "--tonemap: reinhard02:key: '' is not a number"},
+    {{"square.gltf", "--tonemap", "reinhard02:"}, "--tonemap: '' is not a parameter of reinhard02"},
+    {{"square.gltf", "--tonemap", "gamma:gamma=2,white=nan"}, "--tonemap: gamma:white: 'nan' is not a number"},
+    {{"square.gltf", "--ppm", "P3"}, "--ppm: 'P3' is not one of binary, ascii, hdr"},
+    {{"tonemap"}, "INPUT"},
+    {{"tonemap", "square.gltf", "--spp", "4"}, "--spp"},
+    {{"tonemap", "square.gltf", "-o", "a.gif"}, "a.gif: unknown format"},
+    {{"tonemap", "square.gltf", "--operator", "ACES"}, "--operator: 'ACES' is not one of neutral, aces, "},
+    {{"tonemap", "square.gltf", "--tonemap", "gamma:gamma=0"}, "gamma:gamma: 0 is not between 0.1 and 10"},
+    {{"tonemap", "square.gltf", "--operator", "equalize-clamp:share=1.01"}, "share: 1.01 is not between"},
+    {{"tonemap", "square.gltf", "--operator", "reinhard05:intensity=9"}, "intensity: 9 is not between -8 and 8"},
+    {{"tonemap", "square.gltf", "--exposure", "100"}, "--exposure: 100 is not between -64 and 64"},
     {{"square.gltf", "--seed", "-1"}, "--seed"},
     {{"square.gltf", "--threads", "0"}, "--threads"},
     {{"square.gltf", "--time", "0"}, "--time"},
@@ -81,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(CommandLine, Usage, testing::ValuesIn(wrong_usages));
 TEST(Help, IsPrintedForEveryCommandWithExamples) {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"info", "--help"}, {"-h"}}) {
+       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"tonemap", "--help"}, {"info", "--help"}, {"-h"}}) {
     const ProgramResult result = run_program(arguments, folder.path());
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;
@@ -97,8 +112,17 @@ TEST(Help, ListsTheOptionsOfRender) {
        {"--output",   "--spp",        "--size",    "--max-bounces", "--filter",       "--seed",      "--threads",
         "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
         "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
-        "--exposure", "--tonemap",    "--stats",   "--quiet"})
+        "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet"})
     EXPECT_NE(result.output.find(option), std::string::npos) << option;
+}
+
+TEST(Help, ListsTheOperatorsOfTonemapWithTheirParameters) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"tonemap", "--help"}, folder.path());
+  for (const char* const word :
+       {"neutral", "aces", "agx", "reinhard02", "reinhard05", "clamp", "equalize", "equalize-clamp", "clamp-gamma",
+        "none", "(default 0.18, ", "(default 0.78, ", "(default 0.86, ", "(default 2.2, ", "sRGB", "--ppm"})
+    EXPECT_NE(result.output.find(word), std::string::npos) << word;
 }
 
 TEST(Help, ListsTheExitCodes) {

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/color.h"
+#include "io/error.h"
+#include "io/image_decoder.h"
+#include "io/image_file.h"
+
+namespace candil {
+namespace {
+
+std::vector<std::byte> read_bytes(const std::filesystem::path& path) {
+  constexpr std::uintmax_t max_bytes = std::uintmax_t{1} << 32;
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) throw InputError(path.string(), "", "no such file");
+  if (!std::filesystem::is_regular_file(path, status)) throw InputError(path.string(), "", "not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, status);
+  if (status) throw InputError(path.string(), "", status.message());
+  if (size > max_bytes) throw InputError(path.string(), "", "larger than 4 GiB");
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<std::byte> bytes(size);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    throw InputError(path.string(), "", "cannot be read");
+  return bytes;
+}
+
+float stored_value(const DecodedImage& decoded, std::size_t i) {
+  return decoded.bytes.empty() ? decoded.floats[i] : static_cast<float>(decoded.bytes[i]) / 255.0f;
+}
+
+/// Linear and premultiplied; `alpha` is that of the pixel.
+float linear_value(const DecodedImage& decoded, float stored, float alpha) {
+  if (decoded.is_unassociated) return alpha * (decoded.is_linear ? stored : srgb_to_linear(stored));
+  if (decoded.is_linear) return stored;
+  return alpha > 0 ? alpha * srgb_to_linear(stored / alpha) : srgb_to_linear(stored);
+}
+
+Image to_linear(const DecodedImage& decoded) {
+  const bool is_grey = decoded.channels < 3, has_alpha = decoded.channels == 2 || decoded.channels == 4;
+  Image image(decoded.width, decoded.height, has_alpha ? 4 : 3);
+  const std::size_t from_channels = static_cast<std::size_t>(decoded.channels);
+  const std::size_t to_channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < image.pixels.size() / to_channels; ++i) {
+    const std::size_t from = i * from_channels;
+    const float alpha = has_alpha ? stored_value(decoded, from + from_channels - 1) : 1.0f;
+    float* const pixel = &image.pixels[i * to_channels];
+    for (std::size_t k = 0; k < 3; ++k)
+      pixel[k] = linear_value(decoded, stored_value(decoded, from + (is_grey ? 0 : k)), alpha);
+    if (has_alpha) pixel[3] = alpha;
+  }
+  return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) {
+  const std::vector<std::byte> encoded = read_bytes(path);
+  const std::optional<ImageFormat> format = detect_image_format(encoded);
+  if (!format) throw InputError(path.string(), "", "not an HDR, EXR, PFM, PPM, TIFF, PNG, JPEG or WebP image");
+  try {
+    return to_linear(decode_image(encoded, *format));
+  } catch (const std::runtime_error& error) {
+    throw InputError(path.string(), "", error.what());
+  }
+}
+
+}  // namespace candil
