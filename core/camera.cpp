@@ -11,7 +11,9 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       origin_(camera.to_world.translation),
       forward_(-glm::normalize(camera.to_world.linear[2])),
       lens_radius_(camera.lens_radius),
-      focus_distance_(camera.focus_distance) {
+      focus_distance_(camera.focus_distance),
+      lens_blades_(camera.lens_blades),
+      lens_axis_(std::cos(camera.lens_rotation), std::sin(camera.lens_rotation)) {
   // Rebuilt from the viewing direction and the up axis: a scaled or mirrored node still gives a rigid camera.
   right_ = glm::normalize(glm::cross(forward_, camera.to_world.linear[1]));
   up_ = glm::cross(right_, forward_);
@@ -30,9 +32,15 @@ Ray CameraRays::ray(Vec2 pixel, Vec2 u_lens) const {
   const Vec3 origin = is_perspective ? origin_ : origin_ + across;
   const Vec3 direction = is_perspective ? forward_ + across : forward_;
   if (!has_lens()) return {origin, glm::normalize(direction)};
-  const Vec2 lens = lens_radius_ * sample_disc(u_lens);
+  const Vec2 lens = lens_radius_ * point_on_lens(u_lens);
   const Vec3 shift = lens.x * right_ + lens.y * up_;
   return {origin + shift, glm::normalize(focus_distance_ * direction - shift)};
+}
+
+Vec2 CameraRays::point_on_lens(Vec2 u) const {
+  if (lens_blades_ < 3) return sample_disc(u);
+  const Vec2 p = sample_regular_polygon(u, lens_blades_);
+  return {p.x * lens_axis_.x - p.y * lens_axis_.y, p.x * lens_axis_.y + p.y * lens_axis_.x};
 }
 
 Camera look_at(Vec3 from, Vec3 at, float yfov) {

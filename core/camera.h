@@ -16,16 +16,21 @@ class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
   /// Ray through `pixel` (pixel units, (0, 0) the upper left corner of the image, x to the right, y down). `u_lens` in
-  /// [0, 1)^2 picks the point on the lens. Thin lens: Pharr, Jakob and Humphreys 2023, section 5.2.3.
+  /// [0, 1)^2 picks the point on the lens: a disc, or the regular polygon in it if the camera has blades, uniformly.
+  /// Thin lens: Pharr, Jakob and Humphreys 2023, section 5.2.3.
   Ray ray(Vec2 pixel, Vec2 u_lens) const;
   bool has_lens() const { return lens_radius_ > 0; }
 
  private:
+  Vec2 point_on_lens(Vec2 u) const;  // of radius 1
+
   CameraKind kind_;
   Vec3 origin_, right_, up_, forward_;  // unit axes
   Vec2 extent_;                         // half width and height at unit distance (perspective) or in metres
   Vec2 pixel_scale_;
   float lens_radius_, focus_distance_;
+  int lens_blades_;
+  Vec2 lens_axis_;  // cosine and sine of the aperture's rotation
 };
 
 /// Vertical angle of automatic cameras: that of a portrait lens, radians.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/accelerator.h"
+#include "core/shape_target.h"
 
 #if CANDIL_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -65,7 +66,7 @@ struct GeometryRecord {
   HitFilter filter;
   const std::vector<std::uint32_t>* instance_of_top_id = nullptr;
   std::uint32_t instance = invalid_id;  // invalid_id: shared by several
-  std::uint32_t mesh = invalid_id;      // invalid_id: an Embree instance
+  std::uint32_t mesh = invalid_id;      // invalid_id: an Embree instance, or (without an instance either) the shapes
 };
 
 /// Handed through Embree to the filter function.
@@ -94,6 +95,40 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   if (!record.filter.accept(*record.scene, *context.ray, candidate, is_front_face)) arguments->valid[0] = 0;
 }
 
+// Spheres and discs are one user geometry: its user data is the vector of them. Queries are of single rays, so N is 1.
+using Shapes = std::vector<ShapeTarget>;
+
+void bound_shape(const RTCBoundsFunctionArguments* arguments) {
+  const Bounds bounds = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID].bounds();
+  RTCBounds& box = *arguments->bounds_o;
+  box.lower_x = bounds.low.x, box.lower_y = bounds.low.y, box.lower_z = bounds.low.z;
+  box.upper_x = bounds.high.x, box.upper_y = bounds.high.y, box.upper_z = bounds.high.z;
+}
+
+void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
+  RTCRayN* ray = RTCRayHitN_RayN(arguments->rayhit, 1);
+  const ShapeTarget& shape = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID];
+  const Hit found = shape.intersect(*context.ray, RTCRayN_tfar(ray, 1, 0));
+  if (found.is_miss()) return;
+  RTCRayN_tfar(ray, 1, 0) = found.t;
+  RTCHitN* hit = RTCRayHitN_HitN(arguments->rayhit, 1);
+  RTCHitN_u(hit, 1, 0) = found.barycentric.x;
+  RTCHitN_v(hit, 1, 0) = found.barycentric.y;
+  RTCHitN_primID(hit, 1, 0) = found.triangle;  // into Scene::shapes
+  RTCHitN_geomID(hit, 1, 0) = arguments->geomID;
+  RTCHitN_instID(hit, 1, 0, 0) = RTC_INVALID_GEOMETRY_ID;
+}
+
+void occlude_by_shape(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) return;
+  const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
+  const ShapeTarget& shape = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID];
+  float& t_far = RTCRayN_tfar(arguments->ray, 1, 0);
+  if (!shape.intersect(*context.ray, t_far).is_miss()) t_far = -infinity;
+}
+
 class EmbreeAccelerator final : public Accelerator {
  public:
   EmbreeAccelerator(const Scene& scene, HitFilter filter);
@@ -106,19 +141,47 @@ class EmbreeAccelerator final : public Accelerator {
   }
 
   void intersect_each(std::span<const Ray> rays, std::span<Hit> hits) const override {
+    if (planes_.is_empty()) {
+      find_each<false>(rays, hits);
+    } else {
+      find_each<true>(rays, hits);
+    }
+  }
+
+  bool occluded(const Ray& ray) const override {
+    if (!planes_.is_empty() && planes_.occluded(ray)) return true;
+    FilterContext context;
+    init_context(context.embree);
+    context.ray = &ray;
+    RTCRay query;
+    fill(query, ray, ray.t_max);
+    query_occluded(top_.get(), context.embree, query);
+    return query.tfar < 0;
+  }
+
+  std::size_t memory_bytes() const override { return static_cast<std::size_t>(memory_.load()); }
+
+ private:
+  template <bool has_planes>
+  void find_each(std::span<const Ray> rays, std::span<Hit> hits) const {
     FilterContext context;
     init_context(context.embree);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Ray& ray = rays[i];
       Hit& hit = hits[i];  // field by field: a copy would wait for the stores
+      float t_max = ray.t_max;
+      if constexpr (has_planes) {
+        hit = planes_.intersect(ray);
+        t_max = glm::min(t_max, hit.t);
+      }
       context.ray = &ray;
       RTCRayHit query;
-      fill(query.ray, ray);
+      fill(query.ray, ray, t_max);
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
       query_intersect(top_.get(), context.embree, query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-        hit.t = infinity;
+        if constexpr (!has_planes) hit.t = infinity;
         continue;
       }
       hit.t = query.ray.tfar;
@@ -133,24 +196,10 @@ class EmbreeAccelerator final : public Accelerator {
       }
     }
   }
-
-  bool occluded(const Ray& ray) const override {
-    FilterContext context;
-    init_context(context.embree);
-    context.ray = &ray;
-    RTCRay query;
-    fill(query, ray);
-    query_occluded(top_.get(), context.embree, query);
-    return query.tfar < 0;
-  }
-
-  std::size_t memory_bytes() const override { return static_cast<std::size_t>(memory_.load()); }
-
- private:
-  static void fill(RTCRay& query, const Ray& ray) {
+  static void fill(RTCRay& query, const Ray& ray, float t_max) {
     query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
     query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
-    query.tnear = 0, query.tfar = ray.t_max;
+    query.tnear = 0, query.tfar = t_max;
     query.time = 0, query.mask = ~0U, query.id = 0, query.flags = 0;
   }
   static bool count_memory(void* user, ssize_t bytes, bool /*post*/) {
@@ -166,11 +215,14 @@ class EmbreeAccelerator final : public Accelerator {
   }
   EmbreeScene new_scene() const;
   Geometry triangle_geometry(std::uint32_t mesh, GeometryRecord& record) const;
+  void add_shapes();
 
   const Scene& scene_;
   HitFilter filter_;
   std::atomic<std::ptrdiff_t> memory_{0};  // before the device, which reports to it until its end
   Device device_;
+  Shapes shapes_;  // before the scene that points to it
+  PlaneSet planes_;
   std::vector<EmbreeScene> object_scenes_;  // per object; empty where it stands in the top-level scene
   EmbreeScene top_;
   std::vector<std::uint32_t> instance_of_top_id_;  // per geometry id of the top-level scene
@@ -208,8 +260,26 @@ Geometry EmbreeAccelerator::triangle_geometry(std::uint32_t mesh_id, GeometryRec
   return geometry;
 }
 
+void EmbreeAccelerator::add_shapes() {
+  if (shapes_.empty()) return;
+  records_.emplace_back();
+  instance_of_top_id_.resize(records_.size(), invalid_id);
+  const Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(shapes_.size()));
+  rtcSetGeometryUserData(geometry.get(), &shapes_);
+  rtcSetGeometryBoundsFunction(geometry.get(), bound_shape, nullptr);
+  rtcSetGeometryIntersectFunction(geometry.get(), intersect_shape);
+  rtcSetGeometryOccludedFunction(geometry.get(), occlude_by_shape);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(top_.get(), geometry.get(), static_cast<unsigned>(records_.size() - 1));
+}
+
 EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
-    : scene_(scene), filter_(filter), device_(rtcNewDevice(nullptr)) {
+    : scene_(scene),
+      filter_(filter),
+      device_(rtcNewDevice(nullptr)),
+      shapes_(bounded_shapes(scene, filter)),
+      planes_(scene, filter) {
   if (!device_.get()) throw std::runtime_error("Embree cannot be started");
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, this);
 
@@ -228,7 +298,7 @@ EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
     check("building an object");
   }
 
-  std::size_t top_count = 0;
+  std::size_t top_count = shapes_.empty() ? 0 : 1;
   for (const Instance& instance : scene.instances) {
     top_count += instance.is_world_space ? scene.objects[instance.object].mesh_count : 1;
   }
@@ -260,6 +330,7 @@ EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(top_.get(), geometry.get(), static_cast<unsigned>(records_.size() - 1));
   }
+  add_shapes();
   rtcCommitScene(top_.get());
   check("building the scene");
 }

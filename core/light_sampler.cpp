@@ -38,7 +38,13 @@ LightSampler::LightSampler(const Scene& scene) : scene_(scene), environment_(sce
       }
     }
   }
-  const float scene_radius = glm::max(scene_bounds(scene).radius(), 1e-6f);
+  const Bounds bounds = scene_bounds(scene);
+  const float scene_radius = bounds.is_empty() ? 1 : glm::max(bounds.radius(), 1e-6f);  // empty: planes alone
+  for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+    const bool is_light = scene.materials[scene.shapes[i].material].is_emissive();
+    shape_light_.push_back(is_light ? static_cast<std::uint32_t>(shapes_.size()) : invalid_id);
+    if (is_light) powers.push_back(shapes_.emplace_back(scene, i).power(scene_radius));
+  }
   for (const PunctualLight& light : scene.punctual_lights) powers.push_back(punctual_power(light, scene_radius));
   if (environment_.is_present()) {
     // Flux through the disc that the scene shows to each direction.
@@ -94,11 +100,16 @@ float LightSampler::mean_luminance(const EmissiveTriangle& light) const {
 
 std::optional<LightSample> LightSampler::sample(const SurfacePoint& from, double u_pick, Vec2 u) const {
   const AliasTable::Sample picked = table_.sample(u_pick);
-  const std::size_t first_punctual = triangles_.size();
   const float choice = picked.probability;
-  if (picked.index < first_punctual) return sample_emissive(triangles_[picked.index], from, u, choice);
-  const std::size_t punctual = picked.index - first_punctual;
-  if (punctual < scene_.punctual_lights.size()) return sample_punctual(scene_.punctual_lights[punctual], from, choice);
+  if (picked.index < triangles_.size()) return sample_emissive(triangles_[picked.index], from, u, choice);
+  const std::size_t shape = picked.index - triangles_.size();
+  if (shape < shapes_.size()) return shapes_[shape].sample(from, u, choice);
+  const std::size_t punctual = shape - shapes_.size();
+  if (punctual < scene_.punctual_lights.size()) {
+    std::optional<LightSample> result = sample_punctual(scene_.punctual_lights[punctual], from);
+    if (result) result->pdf = choice;
+    return result;
+  }
   return sample_environment(from, u, choice);
 }
 
@@ -108,14 +119,17 @@ std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle&
   const Vec2 barycentric = sample_triangle(u);
   const Float4 on = light.corner + barycentric.x * light.edge_b + barycentric.y * light.edge_c;
   const Float4 position = to_lanes(from.position), normal_from = to_lanes(from.normal_geometric);
+  const Float4 normal_of_sides = to_lanes(from.normal_of_sides());
   const Float4 towards = on - position;
   const float distance_squared = dot(towards, towards), cosine_times_distance = -dot(towards, light.normal);
   const bool is_front = cosine_times_distance > 0;
   if (cosine_times_distance == 0 || light.area == 0 || (!is_front && !light.is_double_sided)) return result;
-  // Both ends step off their surface, towards each other's side.
-  const float side = std::copysign(from.offset, dot(towards, normal_from));
+  // Both ends step off their surface, towards each other's side. Far from a small light, the ray's end is as inexact as
+  // its beginning.
+  const float offset = glm::max(light.offset, from.offset);
+  const float side = std::copysign(from.offset, dot(towards, normal_of_sides));
   const Float4 origin = position + side * normal_from;
-  const Float4 ray = on + (is_front ? light.offset : -light.offset) * light.normal - origin;
+  const Float4 ray = on + (is_front ? offset : -offset) * light.normal - origin;
   const float length = glm::sqrt(dot(ray, ray)), distance = glm::sqrt(distance_squared);
   if (!(length > 0)) return result;
   LightSample& sample = result.emplace();
@@ -124,27 +138,6 @@ std::optional<LightSample> LightSampler::sample_emissive(const EmissiveTriangle&
   sample.pdf = choice * distance_squared * distance / (std::abs(cosine_times_distance) * light.area);
   sample.shadow_ray = {to_vec3(origin), to_vec3(ray * (1 / length)), length};
   return result;
-}
-
-std::optional<LightSample> LightSampler::sample_punctual(const PunctualLight& light, const SurfacePoint& from,
-                                                         float choice) const {
-  LightSample sample;
-  sample.is_delta = true;
-  sample.pdf = choice;
-  float distance = infinity;
-  if (light.kind == PunctualKind::directional) {
-    sample.wi = -light.direction;
-    sample.radiance = light.intensity;
-  } else {
-    const Vec3 towards = light.position - from.position;
-    distance = glm::length(towards);
-    if (!(distance > 0)) return std::nullopt;
-    sample.wi = towards / distance;
-    sample.radiance = punctual_irradiance(light, sample.wi, distance);
-  }
-  if (is_black(sample.radiance)) return std::nullopt;
-  sample.shadow_ray = {offset_origin(from, sample.wi), sample.wi, distance};
-  return sample;
 }
 
 std::optional<LightSample> LightSampler::sample_environment(const SurfacePoint& from, Vec2 u, float choice) const {
@@ -159,6 +152,12 @@ std::optional<LightSample> LightSampler::sample_environment(const SurfacePoint& 
 }
 
 float LightSampler::pdf_hit(Vec3 from_position, const SurfacePoint& on) const {
+  if (on.is_on_shape()) {
+    const std::uint32_t shape = shape_light_[on.triangle];
+    if (shape == invalid_id) return 0;
+    const auto light = static_cast<std::uint32_t>(triangles_.size() + shape);
+    return table_.probability(light) * shapes_[shape].pdf(from_position, on);
+  }
   const std::uint32_t slot =
       instance_offset_[on.instance] + on.mesh - scene_.objects[scene_.instances[on.instance].object].first_mesh;
   if (mesh_first_light_[slot] == invalid_id) return 0;

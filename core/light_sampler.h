@@ -5,20 +5,13 @@
 
 #include "core/distribution.h"
 #include "core/environment.h"
+#include "core/light_sample.h"
 #include "core/scene.h"
+#include "core/shape_light.h"
 #include "core/simd.h"
 #include "core/surface.h"
 
 namespace candil {
-
-struct LightSample {
-  Vec3 wi{0.0f};        ///< Unit, from the surface towards the light.
-  Vec3 radiance{0.0f};  ///< W/(sr m2) arriving if nothing is in between; for delta lights the irradiance on a surface
-                        ///< that faces the light. May be black.
-  float pdf = 0;   ///< 1/sr, the choice of the light included; for delta lights the probability of that choice alone.
-  Ray shadow_ray;  ///< From the surface, offset, to the light: occluded means in shadow.
-  bool is_delta = false;  ///< No other strategy can find this light: no MIS weight.
-};
 
 /// Picks one light with probability proportional to its estimated power (alias table), then a point on it or a
 /// direction to it. The shading point is part of every call so that a light tree can take its place.
@@ -58,16 +51,17 @@ class LightSampler {
   // `choice` is the probability with which the light was chosen.
   std::optional<LightSample> sample_emissive(const EmissiveTriangle& light, const SurfacePoint& from, Vec2 u,
                                              float choice) const;
-  std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from, float choice) const;
   std::optional<LightSample> sample_environment(const SurfacePoint& from, Vec2 u, float choice) const;
 
   const Scene& scene_;
   EnvironmentLight environment_;
   std::vector<EmissiveTriangle> triangles_;
-  // Light ids: emissive triangles first, then punctual lights, then the environment (if any).
+  std::vector<ShapeLight> shapes_;
+  // Light ids: emissive triangles first, then emissive shapes, punctual lights, and the environment (if any).
   AliasTable table_;
   std::vector<std::uint32_t> instance_offset_;   // per instance, into mesh_first_light_
   std::vector<std::uint32_t> mesh_first_light_;  // per mesh of an instance, first light id or invalid_id
+  std::vector<std::uint32_t> shape_light_;       // per shape of the scene, into shapes_ or invalid_id
 };
 
 }  // namespace candil

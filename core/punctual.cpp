@@ -26,6 +26,26 @@ Vec3 punctual_irradiance(const PunctualLight& light, Vec3 wi, float distance) {
   return factor * light.intensity;
 }
 
+std::optional<LightSample> sample_punctual(const PunctualLight& light, const SurfacePoint& from) {
+  LightSample sample;
+  sample.is_delta = true;
+  sample.pdf = 1;
+  float distance = infinity;
+  if (light.kind == PunctualKind::directional) {
+    sample.wi = -light.direction;
+    sample.radiance = light.intensity;
+  } else {
+    const Vec3 towards = light.position - from.position;
+    distance = glm::length(towards);
+    if (!(distance > 0)) return std::nullopt;
+    sample.wi = towards / distance;
+    sample.radiance = punctual_irradiance(light, sample.wi, distance);
+  }
+  if (is_black(sample.radiance)) return std::nullopt;
+  sample.shadow_ray = {offset_origin(from, sample.wi), sample.wi, distance};
+  return sample;
+}
+
 float punctual_power(const PunctualLight& light, float scene_radius) {
   const float intensity = luminance(light.intensity);
   switch (light.kind) {

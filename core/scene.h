@@ -25,6 +25,22 @@ struct Mesh {
   std::uint32_t material = 0;            ///< Into Scene::materials.
 };
 
+/// Surfaces given by a formula, in their own space. All have their front towards +Z or outwards.
+enum class ShapeKind : std::uint8_t {
+  sphere,  ///< Radius 1 around the origin.
+  disc,    ///< Radius 1 around the origin, z = 0.
+  plane,   ///< z = 0, without end.
+};
+
+/// One shape in the world. Any invertible transform will do: a stretched sphere is an ellipsoid. Shapes are so small
+/// that each use of one is a record of its own.
+struct Shape {
+  std::string name;
+  ShapeKind kind = ShapeKind::sphere;
+  Affine to_world;
+  std::uint32_t material = 0;  ///< Into Scene::materials.
+};
+
 /// The unit of instancing: meshes [first_mesh, first_mesh + mesh_count), which share one bottom-level BVH.
 struct Object {
   std::string name;
@@ -61,9 +77,17 @@ struct TextureSlot {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// Which closure a material becomes; emission, alpha, sides and normal map are common to all.
+enum class MaterialModel : std::uint8_t {
+  metallic_roughness,  ///< glTF 2.0 with extensions; also dielectrics, smooth and rough.
+  phong,      ///< base_color / pi + specular_color (n + 2) / (2 pi) cos^n, n = phong_exponent; infinite: a mirror.
+  conductor,  ///< GGX of `roughness` with Fresnel's equations of conductor_eta and conductor_k, times base_color.
+};
+
 /// glTF 2.0 metallic-roughness with extensions; the defaults are the specification's. Factors multiply textures.
 struct Material {
   std::string name;
+  MaterialModel model = MaterialModel::metallic_roughness;
   Vec4 base_color{1.0f};  ///< Linear RGBA.
   TextureSlot base_color_texture;
   float metallic = 1, roughness = 1;       ///< Roughness is perceptual: alpha = roughness squared.
@@ -88,6 +112,8 @@ struct Material {
   float thickness = 0;                 ///< KHR_materials_volume; 0: thin-walled. Rays measure it themselves.
   Vec3 attenuation_color{1.0f};
   float attenuation_distance = infinity;  ///< Metres.
+  float phong_exponent = infinity;
+  Vec3 conductor_eta{0.2f}, conductor_k{3.0f};  ///< Complex index of refraction, eta - i k, for red, green, blue.
 
   bool is_textured() const {
     // All bits are set in the id of no texture.
@@ -111,7 +137,9 @@ struct Camera {
   float aspect = 0;          ///< Width / height the author framed for; 0: any.
   float xmag = 1, ymag = 1;  ///< Half width and half height in metres (orthographic).
   float lens_radius = 0;     ///< Metres; 0: pinhole.
-  float focus_distance = 1;  ///< Metres along the viewing axis to the plane in focus.
+  int lens_blades = 0;       ///< Corners of the aperture, at least 3; 0: round.
+  float lens_rotation = 0;   ///< Of the aperture's first corner, radians counter-clockwise from the camera's +X.
+  float focus_distance = 1;  ///< Metres along the viewing axis to the plane in focus; 0: the file does not say.
 };
 
 enum class PunctualKind : std::uint8_t { point, spot, directional };
@@ -143,7 +171,8 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
   std::vector<Instance> instances;
-  std::vector<Material> materials;  ///< Never empty when there is a mesh.
+  std::vector<Shape> shapes;
+  std::vector<Material> materials;  ///< Never empty when there is a mesh or a shape.
   std::vector<Texture> textures;
   std::vector<TextureImage> images;
   std::vector<Camera> cameras;
@@ -162,7 +191,8 @@ struct Bounds {
   void add(Vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
 };
 
-/// Box around every instance in world space; exact over vertices, empty for a scene without geometry.
+/// Box around every instance and every finite shape in world space; exact over vertices, empty for a scene without
+/// geometry. Infinite planes do not count.
 Bounds scene_bounds(const Scene& scene);
 
 /// Points in world space whose convex hull is that of the scene, for framing it: every vertex of every instance, or,

@@ -1,5 +1,6 @@
 #include "core/surface.h"
 
+#include "core/shape.h"
 #include "core/simd.h"
 
 namespace candil {
@@ -10,8 +11,8 @@ T interpolate(const std::vector<T>& values, const Triangle& t, Vec3 weights) {
   return weights.x * values[t.x] + weights.y * values[t.y] + weights.z * values[t.z];
 }
 
-Float4 interpolate(const Vec3& a, const Vec3& b, const Vec3& c, Vec3 weights) {
-  return weights.x * to_lanes(a) + weights.y * to_lanes(b) + weights.z * to_lanes(c);
+Float4 interpolate(const Float4 (&values)[3], Vec3 weights) {
+  return weights.x * values[0] + weights.y * values[1] + weights.z * values[2];
 }
 
 Float4 normalize_or(Float4 v, Float4 otherwise) {
@@ -22,7 +23,9 @@ Float4 normalize_or(Float4 v, Float4 otherwise) {
 /// A position and its normals with what is needed to tell the error of the position.
 struct Place {
   Float4 position, normal_geometric, normal;
+  Float4 lift{};     // from the triangle to the surface that the normals stand for
   Float4 magnitude;  // of each coordinate that took part, or more
+  bool is_smooth = false;
 };
 
 /// Carries a place of an object to the world. Normals go like M^-T up to a positive factor (see normal_matrix()).
@@ -32,8 +35,37 @@ Place to_world(const Affine& transform, const Place& place) {
   const float side = dot(m.x, yz) < 0 ? -1.0f : 1.0f;
   const Float4x3 normals(side * yz, side * cross(m.z, m.x), side * cross(m.x, m.y));
   const Float4 row_sums = absolute(m.x) + absolute(m.y) + absolute(m.z);
-  return {m * place.position + translation, normals * place.normal_geometric, normals * place.normal,
-          row_sums * max_component(place.magnitude) + absolute(translation)};
+  return {m * place.position + translation,
+          normals * place.normal_geometric,
+          normals * place.normal,
+          m * place.lift,
+          row_sums * max_component(place.magnitude) + absolute(translation),
+          place.is_smooth};
+}
+
+struct Corners {
+  Float4 positions[3], normals[3];
+};
+
+/// Whether the normals of the vertices, unit vectors, are at most 53 degrees off the triangle's.
+bool is_smooth_surface(const Corners& corners, Float4 normal_geometric) {
+  constexpr float least_cosine_squared = 0.36f;
+  const float least = least_cosine_squared * dot(normal_geometric, normal_geometric);
+  for (const Float4 normal : corners.normals) {
+    const float cosine = dot(normal, normal_geometric);  // times the length that is squared in `least`
+    if (!(cosine > 0 && cosine * cosine >= least)) return false;
+  }
+  return true;
+}
+
+/// From a point of a triangle towards the interpolation of its images on the tangent planes of the vertices (Hanika
+/// 2021), but half the way: a surface of second order is exactly in the middle between its chord and these planes.
+Float4 lift_to_smooth_surface(Float4 position, const Corners& corners, Vec3 weights) {
+  Float4 lift{};
+  for (int i = 0; i < 3; ++i) {
+    lift -= (0.5f * weights[i] * dot(position - corners.positions[i], corners.normals[i])) * corners.normals[i];
+  }
+  return lift;
 }
 
 Vec4 interpolate_tangent(const Mesh& mesh, const Triangle& triangle, Vec3 weights, const Instance& instance) {
@@ -47,18 +79,24 @@ Vec4 interpolate_tangent(const Mesh& mesh, const Triangle& triangle, Vec3 weight
 }  // namespace
 
 SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
+  if (hit.is_shape()) return shape_surface_point(scene, hit.triangle, hit.barycentric);
   const Mesh& mesh = scene.meshes[hit.mesh];
   const Instance& instance = scene.instances[hit.instance];
   const Triangle triangle = mesh.triangles[hit.triangle];
   const Vec3 weights(1 - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y);
-  const Float4 a = to_lanes(mesh.positions[triangle.x]), b = to_lanes(mesh.positions[triangle.y]),
-               c = to_lanes(mesh.positions[triangle.z]);
+  const Material& material = scene.materials[mesh.material];
+  Corners corners;
+  for (int i = 0; i < 3; ++i) corners.positions[i] = to_lanes(mesh.positions[triangle[i]]);
+  const auto& [a, b, c] = corners.positions;
   Place place;
-  place.position = weights.x * a + weights.y * b + weights.z * c;
+  place.position = interpolate(corners.positions, weights);
   place.normal_geometric = cross(b - a, c - a);
   place.normal = place.normal_geometric;
   if (!mesh.normals.empty()) {
-    place.normal = interpolate(mesh.normals[triangle.x], mesh.normals[triangle.y], mesh.normals[triangle.z], weights);
+    for (int i = 0; i < 3; ++i) corners.normals[i] = to_lanes(mesh.normals[triangle[i]]);
+    place.normal = interpolate(corners.normals, weights);
+    place.is_smooth = !material.is_transmissive() && is_smooth_surface(corners, place.normal_geometric);
+    if (place.is_smooth) place.lift = lift_to_smooth_surface(place.position, corners, weights);
   }
   place.magnitude = maximum(absolute(a), maximum(absolute(b), absolute(c)));
   if (!instance.is_world_space) place = to_world(instance.to_world, place);
@@ -74,9 +112,11 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
   point.normal_geometric = to_vec3(normal_geometric);
   // The winding decides which side is the front (glTF 2.0, section 3.7.4); a normal that disagrees is turned round.
   point.normal = to_vec3(dot(normal, normal_geometric) < 0 ? -normal : normal);
+  point.is_smooth = place.is_smooth;
+  point.bulge = dot(place.lift, normal_geometric);
   point.offset = surface_offset(max_component(place.magnitude));
   if (!mesh.tangents.empty()) point.tangent = interpolate_tangent(mesh, triangle, weights, instance);
-  const bool is_textured = scene.materials[mesh.material].is_textured();
+  const bool is_textured = material.is_textured();
   for (int set = 0; set < 2; ++set) {
     if (is_textured && !mesh.uvs[set].empty()) point.uv[set] = interpolate(mesh.uvs[set], triangle, weights);
   }

@@ -25,6 +25,17 @@ inline Vec2 sample_disc(Vec2 u) {
   return radius * (is_x_larger ? Vec2(direction.y, direction.x) : direction);
 }
 
+/// Regular polygon with its corners on the unit circle, the first at (1, 0), uniform: density 2 / (n sin(2 pi / n)) for
+/// n corners, at least 3. The sector of the disc between two corners becomes the triangle between them, circles
+/// becoming polygons: as continuous as sample_disc().
+inline Vec2 sample_regular_polygon(Vec2 u, int corners) {
+  const Vec2 disc = sample_disc(u);
+  const float step = 2 * pi / static_cast<float>(corners);
+  const float sectors = std::atan2(disc.y, disc.x) / step, sector = std::floor(sectors);
+  const auto corner = [&](float i) { return Vec2(std::cos(i * step), std::sin(i * step)); };
+  return glm::length(disc) * glm::mix(corner(sector), corner(sector + 1), sectors - sector);
+}
+
 /// Hemisphere around +Z, density cos(theta) / pi per steradian.
 inline Vec3 sample_cosine_hemisphere(Vec2 u) {
   const Vec2 d = sample_disc(u);

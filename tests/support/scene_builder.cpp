@@ -74,6 +74,11 @@ std::uint32_t SceneBuilder::add_sphere(Vec3 center, float radius, std::uint32_t 
   return add_mesh(std::move(mesh), material);
 }
 
+std::uint32_t SceneBuilder::add_shape(ShapeKind kind, const Affine& to_world, std::uint32_t material) {
+  scene.shapes.push_back({"", kind, to_world, material});
+  return static_cast<std::uint32_t>(scene.shapes.size() - 1);
+}
+
 Stage::Stage(Scene scene)
     : scene_(std::move(scene)),
       accelerator_(make_embree_accelerator(scene_, alpha_filter())),

@@ -21,6 +21,8 @@ class SceneBuilder {
   void add_cube(Vec3 center, float half_size, std::uint32_t material, bool is_facing_inwards);
   /// A sphere of latitude and longitude triangles with smooth normals, front outwards.
   std::uint32_t add_sphere(Vec3 center, float radius, std::uint32_t material, int rows = 48);
+  /// A sphere, disc or plane; returns its id.
+  std::uint32_t add_shape(ShapeKind kind, const Affine& to_world, std::uint32_t material);
 
   Scene scene;
 };
