@@ -3,20 +3,53 @@
 #include "core/warp.h"
 
 namespace candil {
+namespace {
+
+/// A refracted direction that came out on the wrong side of the surface, put just on the right one, where `normal` is:
+/// it is bent rather than lost.
+Vec3 bent_to_horizon(Vec3 w, Vec3 normal) {
+  constexpr float least_cosine = 1e-3f;
+  return glm::normalize(w + (least_cosine - glm::dot(w, normal)) * normal);
+}
+
+}  // namespace
+
+template <typename Function>
+auto Bsdf::with_reflecting(const Function& function) const {
+  switch (kind_) {
+    case Kind::phong:
+      return function(*phong_);
+    case Kind::conductor:
+      return function(*conductor_);
+    default:
+      return function(*opaque_);
+  }
+}
+
+ShadowTerminator Bsdf::shadow_terminator() const {
+  return is_flat_ ? ShadowTerminator() : ShadowTerminator(frame_.to_local(normal_of_sides_));
+}
+
+/// Both cosines positive.
+BsdfEval Bsdf::eval_lambertian(float cosine, float cosine_surface) const {
+  const float pdf = pdf_cosine_hemisphere(cosine);
+  if (is_flat_) return {diffuse_ * pdf, pdf};
+  const float cosine_of_normals = glm::dot(frame_.normal, normal_of_sides_);
+  return {diffuse_ * (pdf * ShadowTerminator::factor(cosine, cosine_surface, cosine_of_normals)), pdf};
+}
 
 BsdfEval Bsdf::eval(Vec3 wo, Vec3 wi) const {
-  if (is_lambertian_) {
-    const float cosine = glm::dot(wi, frame_.normal);
-    if (!(cosine > 0 && glm::dot(wi, geometric_normal_) > 0)) return {};
-    const float pdf = pdf_cosine_hemisphere(cosine);
-    return {diffuse_ * pdf, pdf};
+  if (kind_ == Kind::lambertian) {
+    const float cosine = glm::dot(wi, frame_.normal), cosine_surface = glm::dot(wi, normal_of_sides_);
+    return cosine > 0 && cosine_surface > 0 ? eval_lambertian(cosine, cosine_surface) : BsdfEval{};
   }
   const Vec3 local_o = frame_.to_local(wo), local_i = frame_.to_local(wi);
   if (!sides_agree(wi, local_i.z)) return {};
-  if (dielectric_weight_ == 0) return opaque_->eval(local_o, local_i);
+  const auto eval_reflecting = [&](const auto& lobes) { return lobes.eval(local_o, local_i, shadow_terminator()); };
+  if (dielectric_weight_ == 0) return with_reflecting(eval_reflecting);
   const BsdfEval transmitting = dielectric_->eval(local_o, local_i);
   if (dielectric_weight_ == 1) return transmitting;
-  const BsdfEval reflecting = opaque_->eval(local_o, local_i);
+  const BsdfEval reflecting = with_reflecting(eval_reflecting);
   return {glm::mix(reflecting.f_cos, transmitting.f_cos, dielectric_weight_),
           glm::mix(reflecting.pdf, transmitting.pdf, dielectric_weight_)};
 }
@@ -25,32 +58,46 @@ std::optional<BsdfSample> Bsdf::sample_lambertian(Vec2 u) const {
   std::optional<BsdfSample> result;
   const Vec3 local = sample_cosine_hemisphere(u);
   const Vec3 wi = frame_.to_world(local);
-  if (!(local.z > 0 && glm::dot(wi, geometric_normal_) > 0)) return result;
+  const float cosine_surface = glm::dot(wi, normal_of_sides_);
+  if (!(local.z > 0 && cosine_surface > 0)) return result;
   BsdfSample& sample = result.emplace();
   sample.wi = wi;
   sample.weight = diffuse_;
+  if (!is_flat_) {
+    const float cosine_of_normals = glm::dot(frame_.normal, normal_of_sides_);
+    sample.weight *= ShadowTerminator::factor(local.z, cosine_surface, cosine_of_normals);
+  }
   sample.pdf = pdf_cosine_hemisphere(local.z);
   return result;
 }
 
 std::optional<BsdfSample> Bsdf::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
-  if (is_lambertian_) return sample_lambertian(u_direction);
+  if (kind_ == Kind::lambertian) return sample_lambertian(u_direction);
   const Vec3 local_o = frame_.to_local(wo);
   const bool takes_dielectric = u_lobe < dielectric_weight_;
   const float probability = takes_dielectric ? dielectric_weight_ : 1 - dielectric_weight_;
   const float u = (takes_dielectric ? u_lobe : u_lobe - dielectric_weight_) / probability;
   const float u_rest = glm::min(u, one_minus_epsilon);
-  std::optional<BsdfSample> sample = takes_dielectric ? dielectric_->sample(local_o, u_rest, u_direction)
-                                                      : opaque_->sample(local_o, u_rest, u_direction);
+  std::optional<BsdfSample> sample;
+  if (takes_dielectric) {
+    sample = dielectric_->sample(local_o, u_rest, u_direction);
+  } else {
+    sample = with_reflecting(
+        [&](const auto& lobes) { return lobes.sample(local_o, u_rest, u_direction, shadow_terminator()); });
+  }
   if (!sample) return std::nullopt;
   const Vec3 local_i = sample->wi;
   sample->wi = frame_.to_world(local_i);
-  if (!sides_agree(sample->wi, local_i.z)) return std::nullopt;
+  if (!sides_agree(sample->wi, local_i.z)) {
+    if (!sample->is_delta || local_i.z == 0) return std::nullopt;
+    sample->wi = bent_to_horizon(sample->wi, local_i.z < 0 ? -normal_of_sides_ : normal_of_sides_);
+  }
   if (probability < 1) {
     if (sample->is_delta) {
       sample->pdf *= probability;  // the weight of the choice and of the lobe cancel
     } else {
-      const BsdfEval other = takes_dielectric ? opaque_->eval(local_o, local_i) : dielectric_->eval(local_o, local_i);
+      const BsdfEval other =
+          takes_dielectric ? opaque_->eval(local_o, local_i, shadow_terminator()) : dielectric_->eval(local_o, local_i);
       const float pdf = probability * sample->pdf + (1 - probability) * other.pdf;
       const Vec3 f_cos = probability * sample->pdf * sample->weight + (1 - probability) * other.f_cos;
       sample->weight = f_cos / pdf;
@@ -61,14 +108,22 @@ std::optional<BsdfSample> Bsdf::sample(Vec3 wo, float u_lobe, Vec2 u_direction) 
 }
 
 bool Bsdf::has_only_delta_lobes() const {
-  return (dielectric_weight_ == 1 || opaque_->is_purely_delta()) &&
-         (dielectric_weight_ == 0 || dielectric_->is_purely_delta());
+  const auto is_delta = [](const auto& lobes) { return lobes.is_purely_delta(); };
+  return (dielectric_weight_ == 1 || with_reflecting(is_delta)) && (dielectric_weight_ == 0 || is_delta(*dielectric_));
 }
 
 Vec3 Bsdf::albedo() const {
-  if (is_lambertian_) return diffuse_;
-  const Vec3 reflecting = opaque_ ? opaque_->albedo() : Vec3(0);
+  if (kind_ == Kind::lambertian) return diffuse_;
+  if (dielectric_weight_ == 1) return dielectric_->albedo();
+  const Vec3 reflecting = with_reflecting([](const auto& lobes) { return lobes.albedo(); });
   return dielectric_ ? glm::mix(reflecting, dielectric_->albedo(), dielectric_weight_) : reflecting;
+}
+
+float Bsdf::survival_probability() const {
+  if (kind_ == Kind::lambertian) return max_component(diffuse_);
+  if (dielectric_weight_ == 1) return 1;
+  const float reflecting = with_reflecting([](const auto& lobes) { return lobes.survival_probability(); });
+  return glm::mix(reflecting, 1.0f, dielectric_weight_);
 }
 
 }  // namespace candil

@@ -11,8 +11,10 @@
 #include "core/frame.h"
 #include "core/surface.h"
 #include "materials/bsdf_tables.h"
+#include "materials/conductor.h"
 #include "materials/dielectric.h"
 #include "materials/opaque.h"
+#include "materials/phong.h"
 
 namespace candil {
 
@@ -23,32 +25,51 @@ class Bsdf {
   /// A direction; nothing when the path ends here (absorbed, or below the surface). u in [0, 1).
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
   /// Only delta lobes: light sampling cannot contribute.
-  bool is_purely_delta() const { return is_lambertian_ ? is_black(diffuse_) : has_only_delta_lobes(); }
+  bool is_purely_delta() const { return kind_ == Kind::lambertian ? is_black(diffuse_) : has_only_delta_lobes(); }
   /// Reflectance and transmittance together, roughly, for feature images; in [0, 1].
   Vec3 albedo() const;
+  /// Largest component of what is scattered, roughly, for a roulette that absorbs paths: Phong's max(kd) + max(ks), 1
+  /// for a dielectric; positive unless nothing is scattered at all. May exceed 1.
+  float survival_probability() const;
   /// Unit, on the side of wo, after normal mapping.
   Vec3 shading_normal() const { return frame_.normal; }
 
  private:
   friend Bsdf make_bsdf(const Scene&, const BsdfTables&, const SurfacePoint&, Vec3 wo);
-  Bsdf(Vec3 shading_normal, Vec3 geometric_normal) : frame_(shading_normal), geometric_normal_(geometric_normal) {}
-  /// Whether wi leaves on the side that the local frame and the flat triangle agree on.
-  bool sides_agree(Vec3 wi, float local_z) const { return glm::dot(wi, geometric_normal_) * local_z > 0; }
+  Bsdf(Vec3 shading_normal, Vec3 normal_of_sides)
+      : frame_(shading_normal), normal_of_sides_(normal_of_sides), is_flat_(shading_normal == normal_of_sides) {}
+  /// Whether wi leaves on the side that the local frame and the surface agree on.
+  bool sides_agree(Vec3 wi, float local_z) const { return glm::dot(wi, normal_of_sides_) * local_z > 0; }
 
   bool has_only_delta_lobes() const;
+  BsdfEval eval_lambertian(float cosine, float cosine_surface) const;
   std::optional<BsdfSample> sample_lambertian(Vec2 u) const;
+  ShadowTerminator shadow_terminator() const;
+  /// Calls `function` with the lobes that reflect; to be asked only if there are any.
+  template <typename Function>
+  auto with_reflecting(const Function& function) const;
 
-  Frame frame_;                  // z: shading normal, on the side of wo
-  Vec3 geometric_normal_;        // on the side of wo
-  bool is_lambertian_ = false;   // diffuse_ alone; no lobes
-  Vec3 diffuse_;                 // albedo; has a value if is_lambertian_
-  float dielectric_weight_ = 0;  // 0: opaque lobes only; 1: dielectric lobes only
-  // Each is there when the weight gives it a share; most surfaces never pay for the other.
+  Frame frame_;           // z: shading normal, on the side of wo
+  Vec3 normal_of_sides_;  // on the side of wo
+  /// Which lobes there are, besides dielectric_.
+  enum class Kind : std::uint8_t {
+    lambertian,  // none: diffuse_ alone
+    opaque,
+    phong,
+    conductor,
+  };
+  Kind kind_ = Kind::opaque;
+  bool is_flat_;                 // the shading normal is the surface's own
+  Vec3 diffuse_;                 // albedo; has a value if lambertian
+  float dielectric_weight_ = 0;  // 0: reflecting lobes only; 1: dielectric lobes only
+  // Each is there when the kind and the weight give it a share; most surfaces never pay for the others.
   std::optional<OpaqueLobes> opaque_;
+  std::optional<PhongLobes> phong_;
+  std::optional<ConductorLobes> conductor_;
   std::optional<DielectricLobes> dielectric_;
 };
 
-/// The closure of the glTF material at a point, seen from `wo`.
+/// The closure of the material at a point, seen from `wo`.
 Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo);
 
 }  // namespace candil

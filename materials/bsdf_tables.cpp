@@ -2,12 +2,19 @@
 
 #include <algorithm>
 
+#include "materials/fresnel.h"
+
 namespace candil {
 
-BsdfTables::BsdfTables(const Scene& scene) : dielectric_of_material_(scene.materials.size(), invalid_id) {
+BsdfTables::BsdfTables(const Scene& scene)
+    : dielectric_of_material_(scene.materials.size(), invalid_id), mean_fresnel_of_material_(scene.materials.size()) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    const bool refracts = material.is_volume() && material.ior != 0 && material.ior != 1;
+    if (material.model == MaterialModel::conductor) {
+      mean_fresnel_of_material_[m] = fresnel_conductor_average(material.conductor_eta, material.conductor_k);
+    }
+    if (material.model != MaterialModel::metallic_roughness) continue;
+    const bool refracts = material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
     if (!refracts || material.roughness == 0) continue;
     const auto known = std::find_if(dielectrics_.begin(), dielectrics_.end(),
                                     [&](const DielectricAlbedo& table) { return table.ior() == material.ior; });

@@ -1,4 +1,4 @@
-/// Directional albedos that closures need to keep energy, tabulated once per scene.
+/// Albedos that closures need to keep energy, tabulated once per scene.
 #pragma once
 
 #include <vector>
@@ -20,11 +20,14 @@ class BsdfTables {
     const std::uint32_t table = dielectric_of_material_[material];
     return table == invalid_id ? nullptr : &dielectrics_[table];
   }
+  /// fresnel_conductor_average() of a material that is a conductor.
+  Vec3 mean_fresnel(std::uint32_t material) const { return mean_fresnel_of_material_[material]; }
 
  private:
   GgxAlbedo ggx_;
   std::vector<DielectricAlbedo> dielectrics_;
   std::vector<std::uint32_t> dielectric_of_material_;
+  std::vector<Vec3> mean_fresnel_of_material_;
 };
 
 }  // namespace candil

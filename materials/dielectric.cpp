@@ -20,8 +20,7 @@ DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo&
       f90_(p.f90) {
   eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.ior));
-  const bool is_invisible = !is_thin_ && !reflects_all_ && eta_ == 1;  // nothing refracts: roughness has no effect
-  is_delta_ = alpha_ < ggx_min_alpha || is_invisible;
+  is_delta_ = alpha_ < ggx_min_alpha || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
   if (is_delta_) return;
   lost_ = lost_energy(wo.z, Side::here);
   if (is_thin_ || reflects_all_ || !table_) {

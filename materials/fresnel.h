@@ -25,8 +25,39 @@ inline float fresnel_dielectric(float cosine, float eta) {
   return 0.5f * (sqr(parallel) + sqr(perpendicular));
 }
 
+/// Unpolarised reflectance of a metal (Fresnel's equations for a complex index; Born and Wolf, "Principles of Optics",
+/// section 14.2). `cosine` in (0, 1]; the index on the other side divided by the one on this side is eta - i k, both at
+/// least 0.
+inline float fresnel_conductor(float cosine, float eta, float k) {
+  const float cos2 = sqr(cosine), sin2 = 1 - cos2;
+  // The refracted ray's complex (index times cosine) is a - i b; a^2 - b^2 = difference, a^2 + b^2 = sum.
+  const float difference = sqr(eta) - sqr(k) - sin2;
+  const float product = eta * k;
+  const float sum = glm::sqrt(sqr(difference) + 4 * sqr(product));
+  // Of the two ways to write a^2, the one that does not subtract equal numbers.
+  const float a2 = difference > 0 ? 0.5f * (sum + difference) : 2 * sqr(product) / glm::max(sum - difference, 1e-20f);
+  const float a = glm::sqrt(a2);
+  const float perpendicular = (sum + cos2 - 2 * a * cosine) / (sum + cos2 + 2 * a * cosine);
+  const float divisor = sum * cos2 + sqr(sin2) + 2 * a * cosine * sin2;
+  if (!(divisor > 0)) return perpendicular;  // eta = k = 0 at normal incidence, where both are the same
+  const float parallel = perpendicular * (sum * cos2 + sqr(sin2) - 2 * a * cosine * sin2) / divisor;
+  return 0.5f * (perpendicular + parallel);
+}
+
+inline Vec3 fresnel_conductor(float cosine, Vec3 eta, Vec3 k) {
+  return {fresnel_conductor(cosine, eta.x, k.x), fresnel_conductor(cosine, eta.y, k.y),
+          fresnel_conductor(cosine, eta.z, k.z)};
+}
+
+/// Mean of it over the cosine-weighted hemisphere, to 1e-4.
+Vec3 fresnel_conductor_average(Vec3 eta, Vec3 k);
+
 /// Reflectance at normal incidence. An index of 0 stands for an infinite one (KHR_materials_ior): 1.
 inline float reflectance_of_ior(float ior) { return ior == 0 ? 1.0f : sqr((ior - 1) / (ior + 1)); }
+
+/// A relative index of refraction this close to 1 hides the roughness of an interface: it reflects less than 2.5e-7,
+/// and facets do not bend light visibly.
+inline bool is_index_matched(float relative_ior) { return glm::abs(relative_ior - 1) < 1e-3f; }
 
 /// Direction refracted at a facet `h`; `w` and `h` unit, dot(w, h) > 0. Not to be called under total internal
 /// reflection.

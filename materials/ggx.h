@@ -34,6 +34,18 @@ inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, float alpha) {
   return 1 / (1 + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
 }
 
+/// Single scattering from wo to wi by facets between them that reflect everything; wo.z > 0, wi.z > 0.
+struct GgxReflection {
+  float cosine;  ///< Of both directions with the facet.
+  float value;   ///< f |cos|.
+  float pdf;     ///< 1/sr, of reflecting wo at a facet from sample_ggx_visible().
+};
+inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, float alpha) {
+  const Vec3 h = glm::normalize(wo + wi);
+  const float density = ggx_distribution(h, alpha) / (4 * wo.z);  // d(h) / d(wi) = 1 / (4 wo.h)
+  return {glm::dot(wo, h), density * ggx_masking_shadowing(wo, wi, alpha), density * ggx_masking(wo, alpha)};
+}
+
 /// A facet normal as seen from wo (wo.z > 0), with density G1(wo) D(h) max(0, wo.h) / wo.z per steradian (Dupuy and
 /// Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps").
 inline Vec3 sample_ggx_visible(Vec3 wo, float alpha, Vec2 u) {

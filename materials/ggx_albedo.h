@@ -39,6 +39,12 @@ class GgxAlbedo {
   std::array<Split, AlbedoGrid::roughness_count> average_;
 };
 
+/// Colour of light that was reflected at least twice between facets: the geometric series of Kulla and Conty 2017.
+/// `mean_fresnel` and `mean_albedo` (of facets that reflect everything) are means over the cosine-weighted hemisphere.
+inline Vec3 multiple_scattering_color(Vec3 mean_fresnel, float mean_albedo) {
+  return mean_fresnel * mean_fresnel * mean_albedo / (1.0f - mean_fresnel * (1 - mean_albedo));
+}
+
 /// A rough dielectric that reflects and refracts, seen from either side: reflected plus transmitted energy.
 class DielectricAlbedo {
  public:

@@ -1,4 +1,4 @@
-// Where a glTF material's parameters and textures become a closure.
+// Where a material's parameters and textures become a closure.
 #include "core/emission.h"
 #include "core/texture.h"
 #include "materials/bsdf.h"
@@ -18,26 +18,60 @@ Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePo
   return squared > 0 ? n / glm::sqrt(squared) : point.normal;
 }
 
-/// A shading normal that suits `wo` and the flat normal, both on the same side of the surface: wo is above it, and so
-/// is the mirror direction above the flat surface. Where interpolation or a normal map went too far, the mirror
-/// direction is lifted to the horizon and the normal is put half-way between it and wo, so that specular light is bent
-/// rather than lost.
-Vec3 valid_normal(Vec3 normal, Vec3 normal_geometric, Vec3 wo, bool has_specular) {
+/// A shading normal that suits `wo` and the surface, both on the same side of it: wo is above the normal, and so is the
+/// mirror direction above the surface. Where interpolation or a normal map went too far, the mirror direction is lifted
+/// to the horizon and the normal is put half-way between it and wo, so that specular light is bent rather than lost.
+Vec3 valid_normal(Vec3 normal, Vec3 normal_of_sides, Vec3 wo, bool has_specular) {
   constexpr float least_cosine = 1e-3f;
   const float cosine = glm::dot(normal, wo);
   if (cosine < least_cosine) normal = glm::normalize(normal + (least_cosine - cosine) * wo);
   if (!has_specular) return normal;
   const Vec3 mirrored = 2 * glm::dot(normal, wo) * normal - wo;
-  const float height = glm::dot(mirrored, normal_geometric);
-  const float least_height = glm::min(least_cosine, 0.5f * glm::dot(wo, normal_geometric));
+  const float height = glm::dot(mirrored, normal_of_sides);
+  const float least_height = glm::min(least_cosine, 0.5f * glm::dot(wo, normal_of_sides));
   if (height >= least_height) return normal;
-  const Vec3 half = wo + glm::normalize(mirrored + (least_height - height) * normal_geometric);
+  const Vec3 half = wo + glm::normalize(mirrored + (least_height - height) * normal_of_sides);
   const float squared = length_squared(half);
-  return squared > 0 ? half / glm::sqrt(squared) : normal_geometric;
+  return squared > 0 ? half / glm::sqrt(squared) : normal_of_sides;
+}
+
+/// The factor times the texture.
+Vec3 specular_color(const Scene& scene, const Material& material, const SurfacePoint& point) {
+  if (!material.specular_color_texture.is_used()) return material.specular_color;
+  return material.specular_color *
+         Vec3(sample_texture(scene, material.specular_color_texture, point.uv, ColorSpace::srgb));
+}
+
+bool has_specular(const Material& material) {
+  switch (material.model) {
+    case MaterialModel::phong:
+      return !is_black(material.specular_color);
+    case MaterialModel::conductor:
+      return true;
+    case MaterialModel::metallic_roughness:
+      break;
+  }
+  return material.specular > 0 || material.metallic > 0 || material.is_transmissive();
 }
 
 float channel(const Scene& scene, const TextureSlot& slot, const SurfacePoint& point, int index) {
   return slot.is_used() ? sample_texture(scene, slot, point.uv, ColorSpace::linear)[index] : 1.0f;
+}
+
+/// ks gives way where textures push kd + ks above 1: no channel makes energy.
+PhongParameters phong_parameters(const Scene& scene, const Material& material, const SurfacePoint& point, Vec3 base) {
+  const Vec3 left_over = glm::max(1.0f - base, Vec3(0));
+  return {base, glm::min(specular_color(scene, material, point), left_over), material.phong_exponent};
+}
+
+struct MetallicRoughness {
+  float metallic, roughness;
+};
+
+MetallicRoughness metallic_roughness(const Scene& scene, const Material& material, const SurfacePoint& point) {
+  if (!material.metallic_roughness_texture.is_used()) return {material.metallic, material.roughness};
+  const Vec4 texel = sample_texture(scene, material.metallic_roughness_texture, point.uv, ColorSpace::linear);
+  return {material.metallic * texel.z, material.roughness * texel.y};
 }
 
 }  // namespace
@@ -46,36 +80,46 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const Material& material = scene.materials[point.material];
   const bool is_front = glm::dot(wo, point.normal_geometric) >= 0;
   const float side = is_front ? 1.0f : -1.0f;
-  const Vec3 normal_geometric = side * point.normal_geometric;
-  const bool has_specular = material.specular > 0 || material.metallic > 0 || material.is_transmissive();
-  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_geometric, wo, has_specular);
-  Bsdf bsdf(normal, normal_geometric);
+  const Vec3 normal_of_sides = side * point.normal_of_sides();
+  const bool is_specular = has_specular(material);
+  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_of_sides, wo, is_specular);
+  Bsdf bsdf(normal, normal_of_sides);
+  const auto make_lambertian = [&](Vec3 albedo) { bsdf.kind_ = Bsdf::Kind::lambertian, bsdf.diffuse_ = albedo; };
   if (material.is_unlit) {
-    bsdf.is_lambertian_ = true, bsdf.diffuse_ = Vec3(0);  // it only emits
+    make_lambertian(Vec3(0));  // it only emits
+    return bsdf;
+  }
+  const Vec3 base(base_color(scene, material, point.uv, point.color));
+  if (!is_specular) {  // Lambertian, whatever the other parameters are
+    make_lambertian(base);
+    return bsdf;
+  }
+  if (material.model == MaterialModel::phong) {
+    const PhongParameters p = phong_parameters(scene, material, point, base);
+    if (is_black(p.specular)) {
+      make_lambertian(base);
+    } else {
+      bsdf.kind_ = Bsdf::Kind::phong;
+      bsdf.phong_.emplace(p);
+    }
     return bsdf;
   }
 
-  const Vec3 base(base_color(scene, material, point.uv, point.color));
-  if (!has_specular) {  // Lambertian, whatever the other parameters are
-    bsdf.is_lambertian_ = true, bsdf.diffuse_ = base;
+  const auto [metallic, roughness] = metallic_roughness(scene, material, point);
+  const Vec3 local_o(0, 0, glm::dot(wo, normal));  // the lobes only look at the cosine here
+  if (material.model == MaterialModel::conductor) {
+    bsdf.kind_ = Bsdf::Kind::conductor;
+    bsdf.conductor_.emplace(ConductorParameters{roughness, base, material.conductor_eta, material.conductor_k,
+                                                tables.mean_fresnel(point.material)},
+                            tables.ggx(), local_o);
     return bsdf;
   }
-  float metallic = material.metallic, roughness = material.roughness;
-  if (material.metallic_roughness_texture.is_used()) {
-    const Vec4 texel = sample_texture(scene, material.metallic_roughness_texture, point.uv, ColorSpace::linear);
-    roughness *= texel.y;
-    metallic *= texel.z;
-  }
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
-  Vec3 specular_color = material.specular_color;
-  if (material.specular_color_texture.is_used()) {
-    specular_color *= Vec3(sample_texture(scene, material.specular_color_texture, point.uv, ColorSpace::srgb));
-  }
-  const Vec3 f0 = glm::min(reflectance_of_ior(material.ior) * specular_color, Vec3(1)) * specular;
+  const Vec3 color = specular_color(scene, material, point);
+  const Vec3 f0 = glm::min(reflectance_of_ior(material.ior) * color, Vec3(1)) * specular;
   const Vec3 f90(specular);
   const float transmission =
       material.is_transmissive() ? material.transmission * channel(scene, material.transmission_texture, point, 0) : 0;
-  const Vec3 local_o(0, 0, glm::dot(wo, normal));  // the lobes only look at the cosine here
 
   bsdf.dielectric_weight_ = (1 - metallic) * transmission;
   if (bsdf.dielectric_weight_ < 1) {

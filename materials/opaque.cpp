@@ -6,15 +6,6 @@
 #include "materials/ggx.h"
 
 namespace candil {
-namespace {
-
-/// Colour of light that was reflected at least twice between facets: the geometric series of Kulla and Conty 2017.
-Vec3 multiple_scattering_color(Vec3 f0, Vec3 f90, float mean_albedo) {
-  const Vec3 mean = fresnel_schlick_average(f0, f90);
-  return mean * mean * mean_albedo / (1.0f - mean * (1 - mean_albedo));
-}
-
-}  // namespace
 
 OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3 wo)
     : table_(&table),
@@ -36,12 +27,15 @@ OpaqueLobes::OpaqueLobes(const OpaqueParameters& p, const GgxAlbedo& table, Vec3
   const GgxAlbedo::Split mean = table.average(roughness_);
   const Vec3 specular = f0_ * single.scale + f90_ * single.bias;
   if (!is_delta_) {
+    const auto multiple_color = [&](Vec3 f0, Vec3 f90) {
+      return multiple_scattering_color(fresnel_schlick_average(f0, f90), mean.total());
+    };
     const float lost = glm::max(0.0f, 1 - single.total()), mean_lost = glm::max(1e-6f, 1 - mean.total());
     // Unlike the single-scattering lobe, this one is not linear in f0: metal and coat each have their own colour.
-    const Vec3 coat_color = multiple_scattering_color(p.coat_f0, p.coat_f90, mean.total());
-    const Vec3 metal_color = multiple_scattering_color(p.base, Vec3(1), mean.total());
+    const Vec3 coat_color = multiple_color(p.coat_f0, p.coat_f90);
+    const Vec3 metal_color = multiple_color(p.base, Vec3(1));
     multiple_ = glm::mix(coat_color, metal_color, p.metallic) * (lost / mean_lost);
-    coat_multiple_ = multiple_scattering_color(Vec3(coat_f0_), Vec3(coat_f90_), mean.total()).x;
+    coat_multiple_ = multiple_color(Vec3(coat_f0_), Vec3(coat_f90_)).x;
   }
   if (!is_black(diffuse_)) {
     const auto coat = [&](const GgxAlbedo::Split& s) {
@@ -70,23 +64,20 @@ Vec3 OpaqueLobes::diffuse_like(float cosine_i) const {
   return diffuse_ * glm::max(0.0f, 1 - coat) + multiple_ * lost;
 }
 
-BsdfEval OpaqueLobes::eval(Vec3 wo, Vec3 wi) const {
+BsdfEval OpaqueLobes::eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator) const {
   if (wi.z <= 0 || wo.z <= 0) return {};
   const float cosine_pdf = pdf_cosine_hemisphere(wi.z);
-  BsdfEval result{diffuse_like(wi.z) * cosine_pdf, (1 - specular_probability_) * cosine_pdf};
+  BsdfEval result{diffuse_like(wi.z) * (cosine_pdf * terminator.factor(wi)), (1 - specular_probability_) * cosine_pdf};
   if (has_specular_ && !is_delta_) {
-    const Vec3 h = glm::normalize(wo + wi);
-    const float visible = ggx_masking_shadowing(wo, wi, alpha_);
-    const float distribution = ggx_distribution(h, alpha_);
-    const Vec3 fresnel = fresnel_schlick(f0_, f90_, glm::dot(wo, h));
-    result.f_cos += fresnel * (distribution * visible / (4 * wo.z));
-    // d(h)/d(wi) = 1 / (4 wo.h)
-    result.pdf += specular_probability_ * ggx_masking(wo, alpha_) * distribution / (4 * wo.z);
+    const GgxReflection facets = ggx_reflection(wo, wi, alpha_);
+    result.f_cos += fresnel_schlick(f0_, f90_, facets.cosine) * facets.value;
+    result.pdf += specular_probability_ * facets.pdf;
   }
   return result;
 }
 
-std::optional<BsdfSample> OpaqueLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+std::optional<BsdfSample> OpaqueLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction,
+                                              const ShadowTerminator& terminator) const {
   if (wo.z <= 0) return std::nullopt;
   BsdfSample result;
   if (u_lobe < specular_probability_) {
@@ -101,14 +92,8 @@ std::optional<BsdfSample> OpaqueLobes::sample(Vec3 wo, float u_lobe, Vec2 u_dire
     result.wi = 2 * glm::dot(wo, h) * h - wo;
   } else {
     result.wi = sample_cosine_hemisphere(u_direction);
-    if (!has_specular_) {
-      if (result.wi.z <= 0) return std::nullopt;
-      result.weight = diffuse_;
-      result.pdf = pdf_cosine_hemisphere(result.wi.z);
-      return result;
-    }
   }
-  const BsdfEval value = eval(wo, result.wi);
+  const BsdfEval value = eval(wo, result.wi, terminator);
   if (!(value.pdf > 0)) return std::nullopt;
   result.weight = value.f_cos / value.pdf;
   result.pdf = value.pdf;

@@ -13,6 +13,7 @@
 
 #include "materials/bsdf_sample.h"
 #include "materials/ggx_albedo.h"
+#include "materials/shadow_terminator.h"
 
 namespace candil {
 
@@ -27,10 +28,11 @@ class OpaqueLobes {
  public:
   OpaqueLobes(const OpaqueParameters& parameters, const GgxAlbedo& table, Vec3 wo);
 
-  BsdfEval eval(Vec3 wo, Vec3 wi) const;
-  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  BsdfEval eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator) const;
+  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction, const ShadowTerminator& terminator) const;
   bool is_purely_delta() const { return (is_delta_ || !has_specular_) && is_black(diffuse_); }
   Vec3 albedo() const { return albedo_; }
+  float survival_probability() const { return max_component(albedo_); }
 
  private:
   Vec3 diffuse_like(float cosine_i) const;

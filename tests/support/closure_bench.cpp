@@ -11,9 +11,10 @@ Scene scene_of(const Material& material) {
   return scene;
 }
 
-SurfacePoint point_in_plane() {
+SurfacePoint point_in_plane(Vec3 normal) {
   SurfacePoint point;
-  point.normal = point.normal_geometric = Vec3(0, 0, 1);
+  point.normal_geometric = Vec3(0, 0, 1);
+  point.normal = normal;
   return point;
 }
 
@@ -41,6 +42,25 @@ Material glass(float roughness, float ior) {
 Material sheet(float roughness) {
   Material m = white(roughness);
   m.transmission = 1;
+  return m;
+}
+
+/// As wide as a GGX lobe of that roughness, about: n = 2 / alpha^2 - 2.
+Material phong(float roughness, Vec3 kd, Vec3 ks) {
+  Material m;
+  m.model = MaterialModel::phong;
+  m.base_color = Vec4(kd, 1);
+  m.specular_color = ks;
+  m.phong_exponent = 2 / (roughness * roughness * roughness * roughness) - 2;
+  return m;
+}
+
+Material conductor(float roughness, Vec3 eta, Vec3 k) {
+  Material m;
+  m.model = MaterialModel::conductor;
+  m.roughness = roughness;
+  m.conductor_eta = eta;
+  m.conductor_k = k;
   return m;
 }
 
@@ -72,6 +92,14 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
       {"half_transmissive_sheet", with(sheet(r), [](Material& m) { m.transmission = 0.5f; }), true},
       {"half_transmissive_glass", with(glass(r, 1.5f), [](Material& m) { m.transmission = 0.4f; }), true},
       {"mirror_of_infinite_ior", glass(r, 0), true},
+      {"bubble_in_glass", glass(r, 1 / 1.5f), true},
+      {"bubble_in_diamond", with(glass(r, 1 / 2.42f), [](Material& m) { m.base_color = Vec4(0.9f, 0.8f, 0.7f, 1); })},
+      {"phong", phong(r, Vec3(0.65f), Vec3(0.2f))},
+      {"coloured_phong", phong(r, Vec3(0.1f, 0.2f, 0.6f), Vec3(0.9f, 0.5f, 0.3f))},
+      {"conductor_gold", conductor(r, Vec3(0.188f, 0.544f, 1.332f), Vec3(3.403f, 2.231f, 1.869f))},
+      {"conductor_tinted",
+       with(conductor(r, Vec3(2.7f), Vec3(3.7f)), [](Material& m) { m.base_color = Vec4(0.9f, 0.5f, 0.2f, 1); })},
+      {"conductor_without_loss", conductor(r, Vec3(1e-3f), Vec3(30)), true},
   };
 }
 
@@ -90,8 +118,8 @@ std::vector<NamedMaterial> rough_materials() {
 
 std::vector<NamedMaterial> smooth_materials() { return materials_of_roughness(0); }
 
-ClosureBench::ClosureBench(const Material& material)
-    : scene_(scene_of(material)), tables_(scene_), point_(point_in_plane()) {}
+ClosureBench::ClosureBench(const Material& material, Vec3 normal)
+    : scene_(scene_of(material)), tables_(scene_), point_(point_in_plane(normal)) {}
 
 Vec3 direction_at(float degrees) {
   const float theta = glm::radians(degrees), phi = 0.7f;

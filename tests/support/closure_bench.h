@@ -22,7 +22,8 @@ std::vector<NamedMaterial> smooth_materials();
 /// Makes closures of one material at a point in the plane z = 0, whose front is +z.
 class ClosureBench {
  public:
-  explicit ClosureBench(const Material& material);
+  /// With another normal it is a point of which a normal map has bent the normal.
+  explicit ClosureBench(const Material& material, Vec3 normal = Vec3(0, 0, 1));
   Bsdf bsdf(Vec3 wo) const { return make_bsdf(scene_, tables_, point_, wo); }
   const Material& material() const { return scene_.materials[0]; }
 
