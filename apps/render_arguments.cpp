@@ -73,10 +73,10 @@ void add_sampling_arguments(Arguments& arguments, RenderSettings& settings) {
                 [&](const auto& option, const auto& text) {
                   settings.max_bounces = static_cast<std::uint32_t>(parse_integer(option, text, 0, 65535));
                 });
-  arguments.add("--integrator", "NAME", "path (default), naive, normals or albedo",
+  arguments.add("--integrator", "NAME", "path (default), naive, classic, normals or albedo",
                 [&](const auto& option, const auto& text) {
                   const std::optional<IntegratorKind> kind = integrator_from_name(text);
-                  if (!kind) fail_choice(option, text, {"path", "naive", "normals", "albedo"});
+                  if (!kind) fail_choice(option, text, {"path", "naive", "classic", "normals", "albedo"});
                   settings.integrator = *kind;
                 });
   arguments.add("--filter", "NAME", "Pixel filter: blackman-harris (default), box or gaussian",

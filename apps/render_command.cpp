@@ -62,6 +62,8 @@ const char* integrator_name(IntegratorKind kind) {
       return "path";
     case IntegratorKind::naive:
       return "naive";
+    case IntegratorKind::classic:
+      return "classic";
     case IntegratorKind::normals:
       return "normals";
     case IntegratorKind::albedo:

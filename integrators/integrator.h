@@ -34,6 +34,10 @@ void trace_paths(const RenderContext&, const RenderSettings&, std::span<const Ca
 PathSample trace_path(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
 /// The same expected value without next-event estimation: lights are found by chance. The oracle of trace_path().
 PathSample trace_naive(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
+/// The estimator of the report that candil began from, to compare with: roulette between lobes and absorption,
+/// next-event estimation for punctual lights alone, no weights. Paths end at emitters, which reflect nothing here;
+/// otherwise the expected value is that of trace_path().
+PathSample trace_classic(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
 /// Shading normal of the first hit, world space, mapped from [-1, 1] to [0, 1].
 PathSample show_normals(const RenderContext&, const RenderSettings&, const Ray&, const Sampler&, RayCounts&);
 /// Albedo of the first hit's closure; emitters show as white.

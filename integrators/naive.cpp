@@ -18,11 +18,12 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
       break;
     }
     if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
-    const SurfacePoint point = make_surface_point(context.scene, *hit);
+    SurfacePoint point = make_surface_point(context.scene, *hit);
     const Vec3 wo = -state.ray.direction;
     state.radiance +=
         state.throughput * emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
     if (state.bounce >= settings.max_bounces) break;
+    face_viewer(point, wo);
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
     const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
     if (!scatter(state, context.scene, point, bsdf, u.lobe, u.direction)) break;

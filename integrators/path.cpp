@@ -110,7 +110,7 @@ class Batch {
     PathState& state = lane.state;
     if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene_, state.medium, hit.t);
 
-    const SurfacePoint point = make_surface_point(scene_, hit);
+    SurfacePoint point = make_surface_point(scene_, hit);
     const Vec3 wo = -state.ray.direction;
     const Vec3 emitted = emitted_radiance(scene_, point, glm::dot(wo, point.normal_geometric) > 0);
     if (!is_black(emitted)) {
@@ -119,6 +119,7 @@ class Batch {
     }
     if (state.bounce >= settings_.max_bounces) return false;
 
+    face_viewer(point, wo);
     const Bsdf bsdf = make_bsdf(scene_, context_.tables, point, wo);
     if (!bsdf.is_purely_delta() && !context_.lights.is_empty() && choose_light(lane, point, bsdf, wo, u)) {
       shadows.add(i);

@@ -197,6 +197,7 @@ class RenderJob {
 std::optional<IntegratorKind> integrator_from_name(std::string_view name) {
   if (name == "path") return IntegratorKind::path;
   if (name == "naive") return IntegratorKind::naive;
+  if (name == "classic") return IntegratorKind::classic;
   if (name == "normals") return IntegratorKind::normals;
   if (name == "albedo") return IntegratorKind::albedo;
   return std::nullopt;
@@ -208,6 +209,8 @@ BatchIntegrator integrator_function(IntegratorKind kind) {
       return trace_paths;
     case IntegratorKind::naive:
       return trace_each<trace_naive>;
+    case IntegratorKind::classic:
+      return trace_each<trace_classic>;
     case IntegratorKind::normals:
       return trace_each<show_normals>;
     case IntegratorKind::albedo:

@@ -16,9 +16,9 @@
 
 namespace candil {
 
-enum class IntegratorKind { path, naive, normals, albedo };
+enum class IntegratorKind { path, naive, classic, normals, albedo };
 
-/// "path", "naive", "normals", "albedo"; nothing for any other name.
+/// "path", "naive", "classic", "normals", "albedo"; nothing for any other name.
 std::optional<IntegratorKind> integrator_from_name(std::string_view name);
 
 struct RenderSettings {

@@ -119,11 +119,37 @@ void instanced_light(SceneBuilder& builder) {
   EXPECT_EQ(scene.objects[object].first_mesh, mesh);
 }
 
-const NamedScene scenes[] = {{"glossy_room", glossy_room},
-                             {"sky_with_sun", sky_with_sun},
-                             {"rough_glass", rough_glass},
-                             {"partly_there", partly_there},
-                             {"instanced_light", instanced_light}};
+/// Lights of every shape, one of them textured and partly there, over an infinite floor; and a glass ball.
+void shape_lights(SceneBuilder& builder) {
+  const Mat3 upwards(Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)),
+      downwards(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, -1, 0));
+  const Mat3 forwards(1);
+  builder.add_shape(ShapeKind::plane, {upwards, Vec3(0, -1, 0)}, builder.add_diffuse(Vec3(0.6f, 0.5f, 0.4f)));
+  builder.add_shape(ShapeKind::plane, {forwards, Vec3(0, 0, -4)}, builder.add_material(emitter(Vec3(0.5f, 0.7f, 1))));
+  builder.add_shape(ShapeKind::sphere, {Mat3(0.8f, 0.2f, 0, 0, 0.4f, 0, 0, 0.1f, 0.5f), Vec3(-0.9f, 0.6f, 0)},
+                    builder.add_material(emitter(Vec3(6, 3, 2))));
+  builder.add_shape(ShapeKind::sphere, {Mat3(0.5f), Vec3(1.3f, 0.9f, -0.5f)},
+                    builder.add_material(emitter(Vec3(2, 4, 2))));
+  TextureImage checks;
+  checks.width = checks.height = 2;
+  checks.has_alpha = true;
+  checks.rgba8 = {{255, 64, 0, 255}, {0, 255, 0, 40}, {10, 10, 255, 160}, {255, 255, 255, 90}};
+  builder.scene.images = {checks};
+  builder.scene.textures = {Texture{0, Wrap::repeat, Wrap::mirror, Filter::bilinear}};
+  Material glowing = glossy(0, 0.6f, Vec3(0.8f));
+  glowing.emission = Vec3(3);
+  glowing.emission_texture.texture = glowing.base_color_texture.texture = 0;
+  glowing.alpha_mode = AlphaMode::blend;
+  builder.add_shape(ShapeKind::disc, {downwards * 1.2f, Vec3(0, 2, 0.5f)}, builder.add_material(glowing));
+  builder.add_shape(ShapeKind::sphere, {Mat3(0.4f), Vec3(0, -0.6f, 0.8f)}, builder.add_material(glowing));
+  Material glass = glossy(0, 0, Vec3(1));
+  glass.transmission = 1, glass.thickness = 1, glass.is_double_sided = false;
+  builder.add_shape(ShapeKind::sphere, {Mat3(0.5f), Vec3(0.8f, -0.5f, 0.4f)}, builder.add_material(glass));
+}
+
+const NamedScene scenes[] = {{"glossy_room", glossy_room},         {"sky_with_sun", sky_with_sun},
+                             {"rough_glass", rough_glass},         {"partly_there", partly_there},
+                             {"instanced_light", instanced_light}, {"shape_lights", shape_lights}};
 
 /// Mean over the image and its standard error, from the variances that the film kept.
 Estimate image_mean(const Film& film) {
