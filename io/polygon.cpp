@@ -1,0 +1,109 @@
+#include "io/polygon.h"
+
+#include <cmath>
+
+namespace candil {
+
+namespace {
+
+using Point = glm::dvec2;
+
+/// Twice the area of a triangle, positive when it is counter-clockwise.
+double signed_area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+/// Newell's normal: twice the vector area, hence along the front of concave polygons as well.
+glm::dvec3 vector_area(std::span<const Vec3> corners) {
+  glm::dvec3 sum(0);
+  const glm::dvec3 origin(corners[0]);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sum += glm::cross(glm::dvec3(corners[i]) - origin, glm::dvec3(corners[(i + 1) % corners.size()]) - origin);
+  return sum;
+}
+
+/// Seen along the axis that the normal is nearest to, with the front towards the viewer.
+std::vector<Point> projected(std::span<const Vec3> corners) {
+  const glm::dvec3 normal = vector_area(corners), size = glm::abs(normal);
+  const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const int first = (axis + 1) % 3, second = (axis + 2) % 3;
+  const double sign = normal[axis] < 0 ? -1 : 1;
+  std::vector<Point> points;
+  points.reserve(corners.size());
+  for (const Vec3 corner : corners) points.emplace_back(sign * corner[first], corner[second]);
+  return points;
+}
+
+bool is_convex(const std::vector<Point>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (signed_area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) return false;
+  return true;
+}
+
+void add_fan(const std::vector<std::uint32_t>& corners, std::vector<Triangle>& triangles) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) triangles.emplace_back(corners[0], corners[i], corners[i + 1]);
+}
+
+class EarClipper {
+ public:
+  explicit EarClipper(const std::vector<Point>& points) : points_(points), tests_left_(1000 * points.size()) {
+    for (std::uint32_t i = 0; i < points.size(); ++i) left_.push_back(i);
+  }
+
+  bool clip(std::vector<Triangle>& triangles) {
+    std::size_t at = 0, failures = 0;
+    while (left_.size() > 3 && failures < left_.size() && tests_left_ > 0) {
+      const Triangle ear = triangle(at);
+      if (is_ear(ear)) {
+        triangles.push_back(ear);
+        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
+        failures = 0;
+      } else {
+        ++failures;
+        ++at;
+      }
+      at %= left_.size();
+    }
+    const bool is_done = left_.size() == 3;
+    add_fan(left_, triangles);
+    return is_done;
+  }
+
+ private:
+  Triangle triangle(std::size_t at) const {
+    const std::size_t count = left_.size();
+    return {left_[(at + count - 1) % count], left_[at], left_[(at + 1) % count]};
+  }
+
+  bool is_ear(const Triangle& ear) {
+    const Point a = points_[ear.x], b = points_[ear.y], c = points_[ear.z];
+    if (!(signed_area(a, b, c) > 0)) return false;
+    for (const std::uint32_t i : left_) {
+      if (tests_left_ == 0) return false;
+      --tests_left_;
+      const Point p = points_[i];
+      if (p == a || p == b || p == c) continue;
+      if (signed_area(a, b, p) >= 0 && signed_area(b, c, p) >= 0 && signed_area(c, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  const std::vector<Point>& points_;
+  std::size_t tests_left_;
+  std::vector<std::uint32_t> left_;
+};
+
+}  // namespace
+
+bool triangulate_polygon(std::span<const Vec3> corners, std::vector<Triangle>& triangles) {
+  triangles.clear();
+  if (corners.size() == 3) {
+    triangles.emplace_back(0, 1, 2);
+    return true;
+  }
+  const std::vector<Point> points = projected(corners);
+  if (!is_convex(points)) return EarClipper(points).clip(triangles);
+  for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) triangles.emplace_back(0, i, i + 1);
+  return true;
+}
+
+}  // namespace candil
