@@ -49,20 +49,21 @@ ImageSize default_size(float aspect) {
   return aspect >= 1 ? ImageSize{longest, shorter(1 / aspect)} : ImageSize{shorter(aspect), longest};
 }
 
-/// A camera in a file says nothing about focus: its lens focuses on the middle of the scene, if that is in front of it.
+/// A glTF camera says nothing about focus: its lens focuses on the middle of the scene, if that is in front of it.
 float distance_to_middle(const Scene& scene, const Camera& camera) {
   const Bounds bounds = scene_bounds(scene);
-  if (bounds.is_empty()) return camera.focus_distance;
+  constexpr float fallback = 1;
+  if (bounds.is_empty()) return fallback;
   const Vec3 forward = -glm::normalize(camera.to_world.linear[2]);
   const float distance = glm::dot(bounds.center() - camera.to_world.translation, forward);
-  return distance > 0 ? distance : camera.focus_distance;
+  return distance > 0 ? distance : fallback;
 }
 
 CameraChoice choose_from_file(const Scene& scene, std::size_t index, std::optional<ImageSize> wanted_size) {
   const Camera& camera = scene.cameras[index];
   CameraChoice choice{camera, wanted_size.value_or(default_size(framed_aspect(camera))),
                       fmt::format("camera {} ({})", index, camera.name)};
-  choice.camera.focus_distance = distance_to_middle(scene, camera);
+  if (!(camera.focus_distance > 0)) choice.camera.focus_distance = distance_to_middle(scene, camera);
   return choice;
 }
 
@@ -92,7 +93,7 @@ CameraChoice choose_camera(const Scene& scene, const CameraOptions& options, std
                         : options.look_from ? look_from(scene, options, size)
                                             : frame_scene(scene, options, size);
   if (options.yfov) choice.camera.yfov = *options.yfov;
-  choice.camera.lens_radius = options.lens_radius;
+  if (options.lens_radius) choice.camera.lens_radius = *options.lens_radius;
   if (options.focus_distance) choice.camera.focus_distance = *options.focus_distance;
   return choice;
 }

@@ -22,7 +22,7 @@ struct CameraOptions {
   std::optional<Orbit> orbit;
   std::optional<Vec3> look_from, look_at;
   std::optional<float> yfov;            ///< Full vertical angle, radians.
-  float lens_radius = 0;                ///< Metres.
+  std::optional<float> lens_radius;     ///< Metres.
   std::optional<float> focus_distance;  ///< Metres.
 };
 

@@ -86,6 +86,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   if (tonemap->parsed()) return tonemap_options;
   if (info->parsed()) return info_options;
+  for (const CLI::Option* option : render->get_options())
+    if (option->count() > 0) render_options.given.insert(option->get_name());
   check_render_arguments(render_options);
   return render_options;
 }

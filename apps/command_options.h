@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct RenderOptions {
   DisplayOptions display;
   std::filesystem::path statistics;  ///< Empty: none.
   bool is_quiet = false;
+  /// Options that were on the command line ("--spp"): they go before what the scene file wants.
+  std::set<std::string> given;
 };
 
 /// `candil tonemap`.

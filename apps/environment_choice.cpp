@@ -6,7 +6,7 @@
 namespace candil {
 namespace {
 
-Environment wanted_environment(const Scene& scene, const EnvironmentOptions& options) {
+Environment wanted_environment(const Scene& scene, const EnvironmentOptions& options, bool is_lit) {
   Environment environment;
   if (!options.image.empty()) {
     environment.image = read_environment(options.image);
@@ -17,13 +17,13 @@ Environment wanted_environment(const Scene& scene, const EnvironmentOptions& opt
     environment.tint = *options.color;
     return environment;
   }
-  return has_light(scene) ? scene.environment : make_studio_environment();
+  return is_lit || has_light(scene) ? scene.environment : make_studio_environment();
 }
 
 }  // namespace
 
-Environment choose_environment(const Scene& scene, const EnvironmentOptions& options) {
-  Environment environment = wanted_environment(scene, options);
+Environment choose_environment(const Scene& scene, const EnvironmentOptions& options, bool is_lit) {
+  Environment environment = wanted_environment(scene, options, is_lit);
   environment.rotation += options.rotation;
   environment.tint *= options.strength;
   return environment;

@@ -16,7 +16,8 @@ struct EnvironmentOptions {
 };
 
 /// The environment to render with: the image or the colour that was asked for, else the scene's own, else, for a
-/// scene without light of its own (has_light()), the built-in studio. Throws InputError when the image cannot be used.
-Environment choose_environment(const Scene& scene, const EnvironmentOptions& options);
+/// scene that says nothing of light (`is_lit`) and has none of its own (has_light()), the built-in studio. Throws
+/// InputError when the image cannot be used.
+Environment choose_environment(const Scene& scene, const EnvironmentOptions& options, bool is_lit);
 
 }  // namespace candil

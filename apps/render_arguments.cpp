@@ -24,8 +24,6 @@ Examples:
 
 Ctrl-C writes what is there; pressed again, it ends the program at once.)";
 
-constexpr std::uint64_t max_samples = std::uint64_t{1} << 24;
-
 /// Adds options whose words are turned into values by our own functions: the messages are the same with every version
 /// of CLI11, and nothing like NaN slips through.
 class Arguments {
@@ -74,17 +72,9 @@ void add_sampling_arguments(Arguments& arguments, RenderSettings& settings) {
                   settings.max_bounces = static_cast<std::uint32_t>(parse_integer(option, text, 0, 65535));
                 });
   arguments.add("--integrator", "NAME", "path (default), naive, classic, normals or albedo",
-                [&](const auto& option, const auto& text) {
-                  const std::optional<IntegratorKind> kind = integrator_from_name(text);
-                  if (!kind) fail_choice(option, text, {"path", "naive", "classic", "normals", "albedo"});
-                  settings.integrator = *kind;
-                });
+                [&](const auto& option, const auto& text) { settings.integrator = parse_integrator(option, text); });
   arguments.add("--filter", "NAME", "Pixel filter: blackman-harris (default), box or gaussian",
-                [&](const auto& option, const auto& text) {
-                  const std::optional<FilterKind> kind = filter_from_name(text);
-                  if (!kind) fail_choice(option, text, {"blackman-harris", "box", "gaussian"});
-                  settings.filter = *kind;
-                });
+                [&](const auto& option, const auto& text) { settings.filter = parse_filter(option, text); });
   arguments.add("--seed", "N", "Another seed, other noise (default 0)", [&](const auto& option, const auto& text) {
     settings.seed = parse_integer(option, text, 0, ~std::uint64_t{0});
   });
@@ -169,12 +159,24 @@ void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& op
 
 }  // namespace
 
+IntegratorKind parse_integrator(std::string_view option, std::string_view text) {
+  const std::optional<IntegratorKind> kind = integrator_from_name(text);
+  if (!kind) fail_choice(option, text, {"path", "naive", "classic", "normals", "albedo"});
+  return *kind;
+}
+
+FilterKind parse_filter(std::string_view option, std::string_view text) {
+  const std::optional<FilterKind> kind = filter_from_name(text);
+  if (!kind) fail_choice(option, text, {"blackman-harris", "box", "gaussian"});
+  return *kind;
+}
+
 void add_render_arguments(CLI::App& app, RenderOptions& options) {
   constexpr std::uint32_t not_given = 0;
   options.settings.samples_per_pixel = not_given;
   Arguments arguments(app);
   app.add_option_function<std::string>(
-         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf or .glb")
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb or .json")
       ->required();
   add_output_arguments(app, arguments, options);
   add_sampling_arguments(arguments, options.settings);
@@ -185,12 +187,6 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
 
 void check_render_arguments(RenderOptions& options) {
   RenderSettings& settings = options.settings;
-  constexpr std::uint32_t default_samples = 64;
-  if (settings.samples_per_pixel == 0)
-    settings.samples_per_pixel = settings.time_limit_seconds > 0 ? max_samples : default_samples;
-  const bool is_picture = settings.integrator == IntegratorKind::path || settings.integrator == IntegratorKind::naive;
-  if (!options.display.tonemap)
-    options.display.tonemap = make_tonemap(is_picture ? TonemapKind::neutral : TonemapKind::none);
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 

@@ -1,6 +1,9 @@
 /// The arguments of `candil render`.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "apps/command_options.h"
 
 namespace CLI {
@@ -12,6 +15,12 @@ namespace candil {
 /// Declares the arguments; parsing fills `options`, which must outlive it. Values out of range throw UsageError
 /// while parsing.
 void add_render_arguments(CLI::App& app, RenderOptions& options);
+
+/// The words of --integrator and --filter. They throw UsageError, which names `option`.
+IntegratorKind parse_integrator(std::string_view option, std::string_view text);
+FilterKind parse_filter(std::string_view option, std::string_view text);
+
+inline constexpr std::uint64_t max_samples = std::uint64_t{1} << 24;
 
 /// What only shows when all arguments are known. Throws UsageError.
 void check_render_arguments(RenderOptions& options);

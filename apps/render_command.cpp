@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "apps/exit_code.h"
+#include "apps/file_defaults.h"
 #include "apps/interrupt.h"
 #include "apps/messages.h"
 #include "apps/progress.h"
@@ -29,6 +30,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// is.
 struct PreparedScene {
   Scene scene;
+  RenderDefaults defaults;
   std::unique_ptr<Accelerator> accelerator;
   std::unique_ptr<LightSampler> lights;
   std::unique_ptr<BsdfTables> tables;
@@ -39,7 +41,8 @@ void load(const RenderOptions& options, PreparedScene& prepared) {
   LoadedScene loaded = load_scene(options.scene);
   for (const std::string& warning : loaded.warnings) print_warning(warning);
   prepared.scene = std::move(loaded.scene);
-  prepared.scene.environment = choose_environment(prepared.scene, options.environment);
+  prepared.scene.environment = choose_environment(prepared.scene, options.environment, loaded.is_lit);
+  prepared.defaults = std::move(loaded.render_defaults);
 }
 
 std::unique_ptr<PreparedScene> prepare(const RenderOptions& options) {
@@ -92,17 +95,18 @@ void report(const RenderOptions& options, std::span<const Output> outputs, const
 
 }  // namespace
 
-int run_render(const RenderOptions& options) {
-  const std::vector<Output> outputs = plan_outputs(options.outputs, options.scene);
+int run_render(const RenderOptions& asked) {
+  const std::vector<Output> outputs = plan_outputs(asked.outputs, asked.scene);
   for (const Output& output : outputs) {
-    if (options.display.is_transparent && !output.is_standard_output() && !has_alpha_channel(output.path))
+    if (asked.display.is_transparent && !output.is_standard_output() && !has_alpha_channel(output.path))
       print_warning(output.path.string() + ": the format has no alpha, the background will be black");
   }
-  if (!options.statistics.empty()) check_writable(options.statistics);
+  if (!asked.statistics.empty()) check_writable(asked.statistics);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(options.settings.threads));
-  tbb::task_arena arena(options.settings.threads);
-  const std::unique_ptr<PreparedScene> prepared = arena.execute([&] { return prepare(options); });
+                                  static_cast<std::size_t>(asked.settings.threads));
+  tbb::task_arena arena(asked.settings.threads);
+  const std::unique_ptr<PreparedScene> prepared = arena.execute([&] { return prepare(asked); });
+  const RenderOptions options = with_file_defaults(asked, prepared->defaults);
   check_inputs_survive(outputs, options.scene, prepared->scene, options.environment.image);
 
   const CameraChoice camera = choose_camera(prepared->scene, options.camera, options.size);

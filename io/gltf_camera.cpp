@@ -44,6 +44,7 @@ void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& no
     if (!camera) continue;
     camera->name = source.name.empty() ? node.name : source.name;
     camera->to_world = placed.to_world;
+    camera->focus_distance = 0;  // glTF has no lenses
     scene.cameras.push_back(std::move(*camera));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "io/error.h"
 #include "io/gltf_internal.h"
+#include "io/json_internal.h"
 
 namespace candil {
 
@@ -26,6 +27,7 @@ bool looks_like_gltf(const std::filesystem::path& path) {
 }  // namespace
 
 LoadedScene load_scene(const std::filesystem::path& path) {
+  if (path.extension() == ".json" && is_json_scene(path)) return load_json_scene(path);
   std::error_code error;
   const bool has_content = std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) > 0;
   // What cannot be opened gets its message from the reader.

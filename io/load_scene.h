@@ -1,7 +1,10 @@
 /// Reads a scene file of any supported kind; the kind is told by its first bytes and its extension.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,14 +12,28 @@
 
 namespace candil {
 
+/// What a scene file wants of its picture; the command line goes before it. Words are as on the command line.
+struct RenderDefaults {
+  std::optional<std::array<int, 2>> size;  ///< Width and height, pixels.
+  std::optional<std::uint32_t> samples_per_pixel, max_bounces;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> integrator, filter, tonemap;
+  std::optional<float> exposure;  ///< Stops.
+};
+
 struct LoadedScene {
   Scene scene;                        ///< Baked (bake_single_instances()) and valid: renderers need no further check.
   std::vector<std::string> warnings;  ///< One line each; oddities that do not stop a render.
   std::vector<std::string> extensions_used;         ///< As the file lists them, sorted.
   std::vector<std::string> extensions_unsupported;  ///< Those of them that were ignored.
+  RenderDefaults render_defaults;                   ///< Of a JSON scene.
+  /// The file says what lights it, be it darkness: a JSON scene with lights, an emitting material or an environment.
+  /// Otherwise has_light() may tell.
+  bool is_lit = false;
 };
 
-/// Loads .gltf and .glb. Throws InputError when the file cannot be used.
+/// Loads .gltf, .glb and .json (a scene as docs/scene-format.md has it, or glTF). Throws InputError when the file
+/// cannot be used.
 LoadedScene load_scene(const std::filesystem::path& path);
 
 }  // namespace candil

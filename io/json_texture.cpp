@@ -1,0 +1,112 @@
+#include <bit>
+#include <cmath>
+
+#include "core/color.h"
+#include "io/bump_map.h"
+#include "io/image_file.h"
+#include "io/json_internal.h"
+#include "io/resource.h"
+
+namespace candil {
+namespace {
+
+Vec4 encoded(Vec4 linear) {
+  return {linear_to_srgb(linear.x), linear_to_srgb(linear.y), linear_to_srgb(linear.z), linear.w};
+}
+
+/// Colours as sRGB from colours that are stored linear.
+TextureImage encode_linear(const TextureImage& image) {
+  TextureImage result;
+  result.name = image.name;
+  result.width = image.width, result.height = image.height;
+  result.has_alpha = image.has_alpha;
+  for (const glm::u8vec4 t : image.rgba8) result.rgba32.push_back(encoded(Vec4(t) / 255.0f));
+  for (const Vec4 t : image.rgba32) result.rgba32.push_back(encoded(t));
+  return result;
+}
+
+/// Two by two texels.
+TextureImage make_checkerboard(const JsonNode& colors) {
+  TextureImage image;
+  image.name = colors.place();
+  image.width = image.height = 2;
+  const Vec4 first = encoded(Vec4(colors[0].color(), 1)), second = encoded(Vec4(colors[1].color(), 1));
+  image.rgba32 = {first, second, second, first};
+  return image;
+}
+
+Wrap read_wrap(const JsonNode& texture) {
+  const std::string wrap = texture.text("wrap", "repeat");
+  return wrap == "clamp" ? Wrap::clamp : wrap == "mirror" ? Wrap::mirror : Wrap::repeat;
+}
+
+/// The transform of KHR_texture_transform: offset * rotation * repeat applied to (u, v), the rotation
+/// counter-clockwise in the image.
+void set_transform(TextureSlot& slot, const JsonNode& texture) {
+  Vec2 scale(1), offset(0);
+  if (const auto repeat = texture.find("repeat")) scale = repeat->is_array() ? repeat->vec2() : Vec2(repeat->number());
+  if (const auto shift = texture.find("offset")) offset = shift->vec2();
+  const float angle = texture.radians("rotation", 0), cosine = std::cos(angle), sine = std::sin(angle);
+  slot.row_u = {cosine * scale.x, sine * scale.y, offset.x};
+  slot.row_v = {-sine * scale.x, cosine * scale.y, offset.y};
+}
+
+}  // namespace
+
+TextureSlot JsonTextures::colors(const JsonNode& name) { return slot(name, Use::colors, 0); }
+TextureSlot JsonTextures::data(const JsonNode& name) { return slot(name, Use::data, 0); }
+TextureSlot JsonTextures::bumps(const JsonNode& name, float height) { return slot(name, Use::bumps, height); }
+
+TextureSlot JsonTextures::slot(const JsonNode& name, Use use, float height) {
+  const JsonNode texture = find_named(files_, "textures", name);
+  const std::string variant = use == Use::colors ? "colors"
+                              : use == Use::data ? "data"
+                                                 : std::to_string(std::bit_cast<std::uint32_t>(height));
+  const auto [entry, is_new] = texture_ids_.try_emplace(variant + " " + name.text(), invalid_id);
+  if (is_new) {
+    const std::string image_key = variant + " " + texture.text("color_space", "srgb") + " " +
+                                  texture.text("wrap", "repeat") + " " + texture.file().name + " " +
+                                  texture.text("image", texture.place());
+    const auto [image, is_new_image] = image_ids_.try_emplace(image_key, scene_.images.size());
+    if (is_new_image) scene_.images.push_back(make_image(texture, use, height));
+    const bool is_nearest = texture.has("checkerboard") || texture.text("filter", "bilinear") == "nearest";
+    const Wrap wrap = read_wrap(texture);
+    entry->second = static_cast<std::uint32_t>(scene_.textures.size());
+    scene_.textures.push_back({image->second, wrap, wrap, is_nearest ? Filter::nearest : Filter::bilinear});
+  }
+  TextureSlot slot;
+  slot.texture = entry->second;
+  set_transform(slot, texture);
+  return slot;
+}
+
+TextureImage JsonTextures::make_image(const JsonNode& texture, Use use, float height) {
+  const auto image = texture.find("image");
+  TextureImage pixels = image ? decode(*image) : make_checkerboard(texture["checkerboard"]);
+  if (use == Use::bumps) pixels = normal_map_from_heights(pixels, height, read_wrap(texture));
+  if (use == Use::colors && texture.text("color_space", "srgb") == "linear") pixels = encode_linear(pixels);
+  // Small files must not fill the memory with pictures that claim to be large.
+  constexpr std::size_t most_bytes = std::size_t{8} << 30;
+  decoded_bytes_ += pixels.bytes();
+  if (decoded_bytes_ > most_bytes) texture.fail("the textures need more than 8 GiB when decoded");
+  return pixels;
+}
+
+TextureImage JsonTextures::decode(const JsonNode& image) {
+  const JsonFile& file = image.file();
+  const Bytes encoded_bytes = read_file(referenced_file(image), file.name, image.place());
+  return decode_texture(encoded_bytes, image.text(), file.name, image.place());
+}
+
+Vec3 JsonTextures::largest_color(const TextureSlot& slot) const {
+  const TextureImage& image = scene_.images[scene_.textures[slot.texture].image];
+  Vec3 largest(0);
+  glm::u8vec4 largest_byte(0);
+  for (const glm::u8vec4 t : image.rgba8) largest_byte = glm::max(largest_byte, t);
+  for (int c = 0; c < 3; ++c) largest[c] = linear_of_srgb_byte[largest_byte[c]];
+  for (const Vec4 t : image.rgba32)
+    for (int c = 0; c < 3; ++c) largest[c] = glm::max(largest[c], srgb_to_linear(t[c]));
+  return largest;
+}
+
+}  // namespace candil
