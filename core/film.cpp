@@ -1,31 +1,11 @@
 #include "core/film.h"
 
 #include <algorithm>
-#include <bit>
-#include <cassert>
 #include <cmath>
 
 #include "core/color.h"
 
 namespace candil {
-
-void PairwiseSum::add(const PixelSums& sample) {
-  PixelSums carry = sample;
-  int level = 0;
-  for (; (count_ >> level) & 1; ++level) {
-    PixelSums sum = levels_[level];
-    sum += carry;
-    carry = sum;
-  }
-  levels_[level] = carry;
-  ++count_;
-}
-
-PixelSums PairwiseSum::total() const {
-  PixelSums sum{};
-  for (std::uint32_t levels = count_; levels != 0; levels &= levels - 1) sum += levels_[std::countr_zero(levels)];
-  return sum;
-}
 
 std::uint32_t next_block_size(std::uint32_t samples_done, std::uint32_t samples_wanted) {
   constexpr std::uint32_t largest = 16;
@@ -35,37 +15,14 @@ std::uint32_t next_block_size(std::uint32_t samples_done, std::uint32_t samples_
   return size;
 }
 
-Film::Film(int width, int height) : width_(width), height_(height) {}
-
-void Film::begin_block() { block_.assign(static_cast<std::size_t>(width_) * height_, PixelSums{}); }
-
-void Film::end_block(std::uint32_t samples) {
-  assert(samples > 0 && (samples & (samples - 1)) == 0 && sample_count_ % samples == 0);
-  sample_count_ += samples;
-  levels_.push_back({samples, std::move(block_)});
-  while (levels_.size() >= 2 && levels_[levels_.size() - 2].samples == levels_.back().samples) {
-    Level& left = levels_[levels_.size() - 2];
-    const Level& right = levels_.back();
-    for (std::size_t i = 0; i < left.sums.size(); ++i) left.sums[i] += right.sums[i];
-    left.samples *= 2;
-    block_ = std::move(levels_.back().sums);  // its memory serves the next block
-    levels_.pop_back();
-  }
-}
-
-void Film::drop_block() { block_.clear(); }
-
-PixelSums Film::total(std::size_t pixel) const {
-  PixelSums sum{};
-  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level) sum += level->sums[pixel];
-  return sum;
-}
+Film::Film(int width, int height)
+    : width_(width), height_(height), sums_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 Image Film::mean() const {
   Image image(width_, height_, 4);
-  const float scale = sample_count_ > 0 ? 1 / static_cast<float>(sample_count_) : 0;
+  const float scale = sample_count() > 0 ? 1 / static_cast<float>(sample_count()) : 0;
   for (std::size_t i = 0; i < image.pixels.size() / 4; ++i) {
-    const PixelSums sum = total(i);
+    const PixelSums sum = sums_.total(i);
     for (int c = 0; c < 3; ++c) image.pixels[4 * i + c] = sum.radiance[c] * scale;
     image.pixels[4 * i + 3] = std::min(sum.alpha * scale, 1.0f);
   }
@@ -74,10 +31,10 @@ Image Film::mean() const {
 
 Image Film::variance() const {
   Image image(width_, height_, 3);
-  if (sample_count_ < 2) return image;
-  const auto n = static_cast<float>(sample_count_);
+  if (sample_count() < 2) return image;
+  const auto n = static_cast<float>(sample_count());
   for (std::size_t i = 0; i < image.pixels.size() / 3; ++i) {
-    const PixelSums sum = total(i);
+    const PixelSums sum = sums_.total(i);
     for (int c = 0; c < 3; ++c) {
       const float spread = sum.radiance_squared[c] - sqr(sum.radiance[c]) / n;
       image.pixels[3 * i + c] = std::max(spread, 0.0f) / (n * (n - 1));
@@ -87,7 +44,7 @@ Image Film::variance() const {
 }
 
 float Film::relative_noise() const {
-  if (sample_count_ < 2) return 0;
+  if (sample_count() < 2) return 0;
   const Image values = mean(), variances = variance();
   double luminances = 0, squares = 0;
   const std::size_t count = variances.pixels.size() / 3;

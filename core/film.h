@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/block_sums.h"
 #include "core/image.h"
 
 namespace candil {
@@ -21,21 +21,6 @@ struct PixelSums {
   }
 };
 
-/// Adds samples pairwise like the carries of a binary counter: the order of additions is one fixed binary tree over the
-/// sample index, whatever blocks the samples arrive in. Hence a render that is cut into blocks of a power of two
-/// samples (aligned to their size) gives the same bits as one that is not.
-class PairwiseSum {
- public:
-  void add(const PixelSums& sample);
-  /// Remaining partial sums, smallest first.
-  PixelSums total() const;
-
- private:
-  static constexpr int max_levels = 32;
-  PixelSums levels_[max_levels];  // those of the set bits of count_ have a value
-  std::uint32_t count_ = 0;
-};
-
 /// Samples of the next block of a render that has `samples_done` and wants `samples_wanted` (more) samples per pixel: a
 /// power of two that divides `samples_done`, 1 at first and 16 at the most. A picture appears at once, and an interrupt
 /// is never far.
@@ -49,16 +34,16 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
   /// Samples per pixel summed so far.
-  std::uint32_t sample_count() const { return sample_count_; }
+  std::uint32_t sample_count() const { return sums_.sample_count(); }
 
   /// Room for the sums of the next block; threads fill disjoint pixels through block_pixel().
-  void begin_block();
-  PixelSums& block_pixel(int x, int y) { return block_[static_cast<std::size_t>(y) * width_ + x]; }
+  void begin_block() { sums_.begin_block(); }
+  PixelSums& block_pixel(int x, int y) { return sums_.block_pixel(static_cast<std::size_t>(y) * width_ + x); }
   /// Adds the block, every pixel of which holds the sum of `samples` samples: a power of two that divides
   /// sample_count(), as next_block_size() gives it.
-  void end_block(std::uint32_t samples);
+  void end_block(std::uint32_t samples) { sums_.end_block(samples); }
   /// Forgets a block that was not finished (interrupted render).
-  void drop_block();
+  void drop_block() { sums_.drop_block(); }
 
   /// RGBA, linear: mean radiance and mean alpha. Radiance is premultiplied. Zero when there are no samples.
   Image mean() const;
@@ -69,16 +54,8 @@ class Film {
   float relative_noise() const;
 
  private:
-  struct Level {
-    std::uint32_t samples = 0;
-    std::vector<PixelSums> sums;
-  };
-  PixelSums total(std::size_t pixel) const;
-
   int width_, height_;
-  std::uint32_t sample_count_ = 0;
-  std::vector<Level> levels_;  // binary counter of blocks, largest first
-  std::vector<PixelSums> block_;
+  BlockSums<PixelSums> sums_;
 };
 
 }  // namespace candil

@@ -133,7 +133,7 @@ class RenderJob {
     const PathSample* next = results.data();
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-        PairwiseSum sum;
+        PairwiseSum<PixelSums> sum;
         for (std::uint32_t i = 0; i < block.samples; ++i) {
           PathSample sample = *next++;
           if (!is_finite(sample.radiance)) {

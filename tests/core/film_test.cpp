@@ -33,7 +33,7 @@ PixelSums tree_sum(std::uint32_t first, std::uint32_t count) {
 
 TEST(PairwiseSum, IsTheBalancedTreeForPowersOfTwo) {
   for (const std::uint32_t count : {1U, 2U, 8U, 64U, 1024U}) {
-    PairwiseSum sum;
+    PairwiseSum<PixelSums> sum;
     for (std::uint32_t i = 0; i < count; ++i) sum.add(sample_at(i));
     EXPECT_TRUE(same_bits(sum.total(), tree_sum(0, count))) << count;
   }
@@ -41,7 +41,7 @@ TEST(PairwiseSum, IsTheBalancedTreeForPowersOfTwo) {
 
 TEST(PairwiseSum, DiffersFromAPlainSumOnThisData) {
   // Otherwise the tests here would prove nothing.
-  PairwiseSum pairwise;
+  PairwiseSum<PixelSums> pairwise;
   PixelSums plain{};
   for (std::uint32_t i = 0; i < 64; ++i) pairwise.add(sample_at(i)), plain += sample_at(i);
   EXPECT_FALSE(same_bits(pairwise.total(), plain));
@@ -49,7 +49,7 @@ TEST(PairwiseSum, DiffersFromAPlainSumOnThisData) {
 
 TEST(PairwiseSum, IsMoreExactThanAPlainSum) {
   // A million times 0.1: a plain float sum is off by about 1 %, a tree by a few roundings.
-  PairwiseSum sum;
+  PairwiseSum<PixelSums> sum;
   PixelSums sample{};
   sample.radiance = Vec3(0.1f);
   for (int i = 0; i < 1'000'000; ++i) sum.add(sample);
@@ -59,7 +59,7 @@ TEST(PairwiseSum, IsMoreExactThanAPlainSum) {
 /// Adds the samples from the film's count on, `block` of them, as a renderer does it.
 void add_block(Film& film, std::uint32_t block) {
   film.begin_block();
-  PairwiseSum sum;
+  PairwiseSum<PixelSums> sum;
   for (std::uint32_t i = 0; i < block; ++i) sum.add(sample_at(film.sample_count() + i));
   film.block_pixel(0, 0) = sum.total();
   film.end_block(block);
@@ -76,7 +76,7 @@ Film rendered(std::uint32_t samples, std::uint32_t largest_block) {
 
 TEST(Film, SameBitsForEveryBlockSize) {
   for (std::uint32_t samples = 1; samples <= 100; ++samples) {
-    PairwiseSum expected;
+    PairwiseSum<PixelSums> expected;
     for (std::uint32_t i = 0; i < samples; ++i) expected.add(sample_at(i));
     const PixelSums total = expected.total();
     for (const std::uint32_t largest : {1U, 2U, 8U, 16U}) {
