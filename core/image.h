@@ -27,6 +27,13 @@ struct Image {
   const float* pixel(int x, int y) const { return &pixels[(static_cast<std::size_t>(y) * width + x) * channels]; }
 };
 
+/// A picture among others of the same size that go together, such as the layers of an EXR file.
+struct ImageLayer {
+  std::string name;                   ///< Empty: the picture itself.
+  std::vector<std::string> channels;  ///< "X", "Y", "Z": as many as the image has.
+  Image image;
+};
+
 /// A texture's pixels as the file stores them (not yet linear): RGBA, rows from top to bottom. Files of 8 bits a
 /// channel stay at 8 bits, all others become float; exactly one of the two vectors is filled. What was absent in the
 /// file is filled as glTF wants: one channel is copied to R, G and B, alpha is 1.

@@ -85,6 +85,12 @@ void check_kind(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
 }
 
+/// A file of up to four channels that are not one picture: R, G, B and depth.Z, say, or U and V. Two or four channels
+/// of one picture end in alpha.
+bool has_further_layer(const OIIO::ImageSpec& spec) {
+  return spec.nchannels % 2 == 0 && spec.alpha_channel != spec.nchannels - 1;
+}
+
 /// Where R, G and B start. Layered EXR files name them "Layer.R"; the first set of three neighbours counts.
 int first_color_channel(const OIIO::ImageSpec& spec) {
   const auto ends_with = [&](int channel, std::string_view letter) {
@@ -165,8 +171,9 @@ DecodedImage decode_image(Bytes encoded, ImageFormat format) {
 
   DecodedImage image;
   image.width = spec.width, image.height = spec.height;
-  const int first = spec.nchannels > 4 ? first_color_channel(spec) : 0;
-  image.channels = spec.nchannels > 4 ? count_color_channels(spec, first) : spec.nchannels;
+  const bool is_layered = spec.nchannels > 4 || (format == ImageFormat::exr && has_further_layer(spec));
+  const int first = is_layered ? first_color_channel(spec) : 0;
+  image.channels = is_layered ? count_color_channels(spec, first) : spec.nchannels;
   const std::size_t count = static_cast<std::size_t>(spec.width) * spec.height * image.channels;
   image.is_linear = format == ImageFormat::hdr || spec.format.is_floating_point();
   image.is_unassociated = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;

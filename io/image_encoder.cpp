@@ -44,15 +44,19 @@ std::vector<std::uint8_t> to_bytes(const std::vector<float>& values) {
 /// The library would write the time of day instead, and no two files would be the same.
 constexpr const char* fixed_time = "1970:01:01 00:00:00";
 
+void set_exr_attributes(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
+  spec.attribute("DateTime", fixed_time);
+  spec.attribute("compression", "zip");
+  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+}
+
 OIIO::ImageSpec make_spec(const std::string& extension, const Image& image, int channels, OIIO::TypeDesc type,
                           const ImageMetadata& metadata) {
   OIIO::ImageSpec spec(image.width, image.height, channels, type);
   spec.channelnames.assign({"R", "G", "B"});
   if (channels == 4) spec.channelnames.push_back("A"), spec.alpha_channel = 3;
   if (extension == ".exr") {
-    spec.attribute("DateTime", fixed_time);
-    spec.attribute("compression", "zip");
-    for (const auto& [key, value] : metadata) spec.attribute(key, value);
+    set_exr_attributes(spec, metadata);
     return spec;
   }
   if (is_linear_format("image" + extension)) return spec;
@@ -70,6 +74,26 @@ OIIO::ImageSpec make_spec(const std::string& extension, const Image& image, int 
   return spec;
 }
 
+/// `pixels` are of the type that the specification names.
+std::vector<std::byte> encode_by_library(const std::string& extension, const OIIO::ImageSpec& spec,
+                                         const void* pixels) {
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(library_name(extension));
+  if (!output) {
+    OIIO::geterror();
+    throw std::runtime_error("this OpenImageIO cannot write " + extension + " files");
+  }
+  if (!output->set_ioproxy(&memory) || !output->open("image" + extension, spec) ||
+      !output->write_image(spec.format, pixels) || !output->close()) {
+    const std::string message = output->geterror();
+    throw std::runtime_error("cannot be encoded: " + message.substr(0, message.find('\n')));
+  }
+  static_cast<void>(output->geterror());  // complaints about a written image would be printed when it is destroyed
+  const auto* const first = reinterpret_cast<const std::byte*>(encoded.data());
+  return std::vector<std::byte>(first, first + encoded.size());
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
@@ -84,23 +108,30 @@ std::vector<std::byte> encode_image(const std::string& extension, const Image& i
   if (extension == ".ppm") return encode_ppm(image.width, image.height, bytes);
   if (extension == ".pfm") return encode_pfm(image.width, image.height, values);
 
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(library_name(extension));
-  if (!output) {
-    OIIO::geterror();
-    throw std::runtime_error("this OpenImageIO cannot write " + extension + " files");
-  }
-  const OIIO::ImageSpec spec = make_spec(extension, image, channels, type, metadata);
   const void* pixels = is_8_bit ? static_cast<const void*>(bytes.data()) : values.data();
-  if (!output->set_ioproxy(&memory) || !output->open("image" + extension, spec) || !output->write_image(type, pixels) ||
-      !output->close()) {
-    const std::string message = output->geterror();
-    throw std::runtime_error("cannot be encoded: " + message.substr(0, message.find('\n')));
+  return encode_by_library(extension, make_spec(extension, image, channels, type, metadata), pixels);
+}
+
+std::vector<std::byte> encode_layers(std::span<const ImageLayer> layers, const ImageMetadata& metadata) {
+  const Image& first = layers.front().image;
+  int channels = 0;
+  for (const ImageLayer& layer : layers) channels += layer.image.channels;
+  OIIO::ImageSpec spec(first.width, first.height, channels, OIIO::TypeDesc::FLOAT);
+  spec.channelnames.clear();
+  spec.alpha_channel = spec.z_channel = -1;
+  const std::size_t pixels = static_cast<std::size_t>(first.width) * first.height;
+  std::vector<float> values(pixels * channels);
+  int begin = 0;
+  for (const ImageLayer& layer : layers) {
+    const Image& image = layer.image;
+    for (const std::string& channel : layer.channels)
+      spec.channelnames.push_back(layer.name.empty() ? channel : layer.name + "." + channel);
+    for (std::size_t i = 0; i < pixels; ++i)
+      std::copy_n(&image.pixels[i * image.channels], image.channels, &values[i * channels + begin]);
+    begin += image.channels;
   }
-  static_cast<void>(output->geterror());  // complaints about a written image would be printed when it is destroyed
-  const auto* const first = reinterpret_cast<const std::byte*>(encoded.data());
-  return std::vector<std::byte>(first, first + encoded.size());
+  set_exr_attributes(spec, metadata);
+  return encode_by_library(".exr", spec, values.data());
 }
 
 }  // namespace candil

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ namespace candil {
 /// write_image(). The same arguments give the same bytes: no time stamps. Throws std::runtime_error with one line.
 std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
                                     const ImageMetadata& metadata, PpmKind ppm);
+
+/// An EXR file, as for write_layers(). Throws std::runtime_error with one line.
+std::vector<std::byte> encode_layers(std::span<const ImageLayer> layers, const ImageMetadata& metadata);
 
 }  // namespace candil

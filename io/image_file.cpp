@@ -22,6 +22,17 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
+template <typename Encode>
+void write_encoded(const std::filesystem::path& path, const Encode& encode) {
+  std::vector<std::byte> encoded;
+  try {
+    encoded = encode();
+  } catch (const std::runtime_error& error) {
+    throw OutputError(path.string(), error.what());
+  }
+  write_file_atomically(path, encoded);
+}
+
 }  // namespace
 
 bool is_linear_format(const std::filesystem::path& path, PpmKind ppm) {
@@ -35,6 +46,8 @@ bool has_alpha_channel(const std::filesystem::path& path) {
   return extension == ".exr" || extension == ".png" || extension == ".tif" || extension == ".tiff";
 }
 
+bool has_layers(const std::filesystem::path& path) { return lower_extension(path) == ".exr"; }
+
 bool is_writable_image(const std::filesystem::path& path) {
   constexpr std::array<std::string_view, 6> display = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".ppm"};
   return is_linear_format(path) || std::ranges::find(display, lower_extension(path)) != display.end();
@@ -43,13 +56,13 @@ bool is_writable_image(const std::filesystem::path& path) {
 void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata,
                  PpmKind ppm) {
   if (!is_writable_image(path)) throw OutputError(path.string(), "unknown image format");
-  std::vector<std::byte> encoded;
-  try {
-    encoded = encode_image(lower_extension(path), image, with_alpha, metadata, ppm);
-  } catch (const std::runtime_error& error) {
-    throw OutputError(path.string(), error.what());
-  }
-  write_file_atomically(path, encoded);
+  write_encoded(path, [&] { return encode_image(lower_extension(path), image, with_alpha, metadata, ppm); });
+}
+
+void write_layers(const std::filesystem::path& path, std::span<const ImageLayer> layers,
+                  const ImageMetadata& metadata) {
+  if (!has_layers(path)) throw OutputError(path.string(), "the format has no layers");
+  write_encoded(path, [&] { return encode_layers(layers, metadata); });
 }
 
 std::vector<std::byte> encode_png(const Image& display, bool with_alpha) {

@@ -49,6 +49,15 @@ bool has_alpha_channel(const std::filesystem::path& path);
 void write_image(const std::filesystem::path& path, const Image& image, bool with_alpha, const ImageMetadata& metadata,
                  PpmKind ppm = PpmKind::binary);
 
+/// True for the formats that hold further layers beside the picture: .exr.
+bool has_layers(const std::filesystem::path& path);
+
+/// Writes several images into one EXR file, each channel as "LAYER.CHANNEL" ("depth.Z"), or "CHANNEL" alone for the
+/// layer without a name. All values stay the floats that they are. The layers have the same size and names of their
+/// own. Programs that know nothing of layers, and read_image(), see the layer without a name. Atomic like
+/// write_image(); throws OutputError.
+void write_layers(const std::filesystem::path& path, std::span<const ImageLayer> layers, const ImageMetadata& metadata);
+
 /// An 8-bit PNG in memory, for standard output. `display` is as for write_image(). Throws OutputError.
 std::vector<std::byte> encode_png(const Image& display, bool with_alpha);
 
