@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/aov_outputs.h"
 #include "apps/camera_choice.h"
 #include "apps/environment_choice.h"
 #include "apps/outputs.h"
@@ -22,6 +23,7 @@ struct RenderOptions {
   EnvironmentOptions environment;
   CameraOptions camera;
   DisplayOptions display;
+  AovOptions aovs;
   std::filesystem::path statistics;  ///< Empty: none.
   bool is_quiet = false;
   /// Options that were on the command line ("--spp"): they go before what the scene file wants.

@@ -20,6 +20,8 @@ std::optional<Number> to_number(std::string_view text) {
   return number;
 }
 
+}  // namespace
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   while (true) {
@@ -29,8 +31,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     text.remove_prefix(end + 1);
   }
 }
-
-}  // namespace
 
 double parse_real(std::string_view option, std::string_view text, double low, double high) {
   const std::optional<double> value = to_number<double>(text);

@@ -27,6 +27,9 @@ Vec3 parse_vector(std::string_view option, std::string_view text);
 ImageSize parse_size(std::string_view option, std::string_view text);
 inline constexpr int max_image_side = 32768;
 
+/// The parts between separators, empty ones too; at least one.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// Throws UsageError that lists the words that are allowed.
 [[noreturn]] void fail_choice(std::string_view option, std::string_view text, const std::vector<std::string>& allowed);
 

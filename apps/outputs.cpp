@@ -28,10 +28,19 @@ Image without_alpha(const Image& image) {
   return rgb;
 }
 
+std::vector<ImageLayer> with_picture(const Image& picture, std::span<const ImageLayer> layers) {
+  std::vector<ImageLayer> all = {{"", {"R", "G", "B"}, picture}};
+  if (picture.channels == 4) all.front().channels.emplace_back("A");
+  all.insert(all.end(), layers.begin(), layers.end());
+  return all;
+}
+
 void write_output(const Output& output, const Image& linear, const DisplayOptions& display,
-                  const ImageMetadata& metadata) {
+                  const ImageMetadata& metadata, std::span<const ImageLayer> layers) {
   const bool with_alpha = display.is_transparent && (output.is_standard_output() || has_alpha_channel(output.path));
   const Image image = with_alpha ? linear : without_alpha(linear);
+  if (!layers.empty() && has_layers(output.path))
+    return write_layers(output.path, with_picture(image, layers), metadata);
   if (!output.is_standard_output() && is_linear_format(output.path, display.ppm))
     return write_image(output.path, image, with_alpha, metadata, display.ppm);
   const Tonemap tonemap = display.tonemap.value_or(make_tonemap(TonemapKind::neutral));
@@ -85,21 +94,20 @@ void check_input_survives(std::span<const Output> outputs, const fs::path& input
       throw UsageError(fmt::format("-o: {} is the input itself; choose another name with -o", output.path.string()));
 }
 
-void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
-                   const ImageMetadata& metadata) {
-  write_outputs(outputs, film.mean(), display, metadata);
-}
-
 void write_outputs(std::span<const Output> outputs, const Image& linear, const DisplayOptions& display,
-                   const ImageMetadata& metadata) {
+                   const ImageMetadata& metadata, const LayerOutputs& further) {
   std::exception_ptr first_error;
-  for (const Output& output : outputs) {
+  const auto attempt = [&](const auto& write) {
     try {
-      write_output(output, linear, display, metadata);
+      write();
     } catch (const OutputError&) {
       if (!first_error) first_error = std::current_exception();
     }
-  }
+  };
+  const auto layers = further.files.empty() ? further.layers : std::span<const ImageLayer>();
+  for (const Output& output : outputs) attempt([&] { write_output(output, linear, display, metadata, layers); });
+  for (std::size_t i = 0; i < further.files.size(); ++i)
+    attempt([&] { write_layers(further.files[i].path, further.layers.subspan(i, 1), metadata); });
   if (first_error) std::rethrow_exception(first_error);
 }
 

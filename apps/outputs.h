@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/film.h"
+#include "core/image.h"
 #include "core/scene.h"
 #include "core/tonemap.h"
 #include "io/image_file.h"
@@ -41,13 +41,15 @@ void check_inputs_survive(std::span<const Output> outputs, const std::filesystem
 /// Throws UsageError when an output would replace `input`.
 void check_input_survives(std::span<const Output> outputs, const std::filesystem::path& input);
 
-/// Writes `linear` (premultiplied) to every output, also when one of them fails; throws the first OutputError at the
-/// end.
-void write_outputs(std::span<const Output> outputs, const Image& linear, const DisplayOptions& display,
-                   const ImageMetadata& metadata);
+/// Further images of a render.
+struct LayerOutputs {
+  std::span<const ImageLayer> layers;
+  std::span<const Output> files;  ///< One for each layer; none: the outputs that can hold layers take them all.
+};
 
-/// The same with the mean of a film.
-void write_outputs(std::span<const Output> outputs, const Film& film, const DisplayOptions& display,
-                   const ImageMetadata& metadata);
+/// Writes `linear` (premultiplied) to every output, and the layers, also when one of the files fails; throws the first
+/// OutputError at the end.
+void write_outputs(std::span<const Output> outputs, const Image& linear, const DisplayOptions& display,
+                   const ImageMetadata& metadata, const LayerOutputs& further = {});
 
 }  // namespace candil

@@ -15,6 +15,7 @@ constexpr const char* footer = R"(
 Examples:
   candil model.glb                                   model.png, framed and lit automatically
   candil model.glb -o a.png -o a.exr --spp 512       a picture and its linear values
+  candil model.glb -o a.exr --aov depth,normals      layers R, G, B, depth.Z, normals.X, .Y, .Z
   candil model.glb --env sky.hdr --env-rotate 90     lit by an environment image
   candil model.glb --orbit 120,10 --size 800x800     from another side
   candil model.glb --look-from 2,1,3 --look-at 0,1,0 --fov 40 --aperture 0.02 --focus 3
@@ -41,8 +42,8 @@ class Arguments {
     return option->type_name(value)->group(group_)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
 
-  void add_flag(const std::string& name, const std::string& help, bool& target) {
-    app_.add_flag(name, target, help)->group(group_);
+  CLI::Option* add_flag(const std::string& name, const std::string& help, bool& target) {
+    return app_.add_flag(name, target, help)->group(group_);
   }
 
  private:
@@ -151,6 +152,14 @@ void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& op
                 [&](const auto& option, const auto& text) { options.size = parse_size(option, text); });
   arguments.add_flag("--transparent", "Leave the background out: alpha in .png .tif .exr",
                      options.display.is_transparent);
+  CLI::Option* const aov = arguments.add(
+      "--aov", "LIST",
+      "Also write, with commas between them: normals, depth, albedo, position, uv, material, object; or all. Layers of "
+      ".exr outputs; without one, files beside the first output: picture.depth.exr",
+      [&](const auto& option, const auto& text) { options.aovs.list = parse_aovs(option, text); });
+  arguments
+      .add_flag("--aov-separate", "Files of their own for --aov, also beside an .exr output", options.aovs.is_separate)
+      ->needs(aov);
   add_display_arguments(app, "--tonemap", "neutral; none for normals and albedo", options.display);
   arguments.add("--stats", "FILE", "Write times, counts and versions as JSON",
                 [&](const auto&, const auto& text) { options.statistics = text; });

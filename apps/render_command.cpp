@@ -4,7 +4,9 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "apps/exit_code.h"
 #include "apps/file_defaults.h"
@@ -97,6 +99,9 @@ void report(const RenderOptions& options, std::span<const Output> outputs, const
 
 int run_render(const RenderOptions& asked) {
   const std::vector<Output> outputs = plan_outputs(asked.outputs, asked.scene);
+  const std::vector<Output> aov_files = plan_aov_files(asked.aovs, outputs, asked.scene);
+  std::vector<Output> files = outputs;
+  files.insert(files.end(), aov_files.begin(), aov_files.end());
   for (const Output& output : outputs) {
     if (asked.display.is_transparent && !output.is_standard_output() && !has_alpha_channel(output.path))
       print_warning(output.path.string() + ": the format has no alpha, the background will be black");
@@ -107,12 +112,13 @@ int run_render(const RenderOptions& asked) {
   tbb::task_arena arena(asked.settings.threads);
   const std::unique_ptr<PreparedScene> prepared = arena.execute([&] { return prepare(asked); });
   const RenderOptions options = with_file_defaults(asked, prepared->defaults);
-  check_inputs_survive(outputs, options.scene, prepared->scene, options.environment.image);
+  check_inputs_survive(files, options.scene, prepared->scene, options.environment.image);
 
   const CameraChoice camera = choose_camera(prepared->scene, options.camera, options.size);
   RenderSettings settings = options.settings;
   settings.width = camera.size.width, settings.height = camera.size.height;
   settings.transparent_background = options.display.is_transparent;
+  settings.aovs = options.aovs.list;
   const std::atomic<bool>& stop = catch_interrupts();
   Progress progress(options.is_quiet, settings);
   progress.start(options.scene.filename().string());
@@ -121,11 +127,13 @@ int run_render(const RenderOptions& asked) {
       context, camera.camera, settings, [&](const RenderProgress& now) { progress.update(now); }, &stop);
   progress.finish();
 
-  write_outputs(outputs, result.film, options.display, describe(options, settings, camera, result.film.sample_count()));
+  ImageMetadata metadata = describe(options, settings, camera, result.film.sample_count());
+  std::ranges::move(describe_ids(prepared->scene, settings.aovs), std::back_inserter(metadata));
+  write_outputs(outputs, result.film.mean(), options.display, metadata, {result.aovs, aov_files});
   if (!options.statistics.empty())
     write_statistics(options.statistics, prepared->scene, settings, result, prepared->times,
                      prepared->accelerator->memory_bytes());
-  report(options, outputs, result);
+  report(options, files, result);
   return result.was_interrupted ? exit_interrupted : exit_done;
 }
 

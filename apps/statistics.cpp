@@ -20,7 +20,11 @@ std::uint64_t peak_memory_bytes() {
 }
 
 Json describe_rays(const RayCounts& rays) {
-  return {{"camera", rays.camera}, {"bounce", rays.bounce}, {"shadow", rays.shadow}, {"total", rays.total()}};
+  return {{"camera", rays.camera},
+          {"bounce", rays.bounce},
+          {"shadow", rays.shadow},
+          {"aov", rays.aov},
+          {"total", rays.total()}};
 }
 
 Json describe_scene(const Scene& scene) {

@@ -20,6 +20,8 @@ class CameraRays {
   /// Thin lens: Pharr, Jakob and Humphreys 2023, section 5.2.3.
   Ray ray(Vec2 pixel, Vec2 u_lens) const;
   bool has_lens() const { return lens_radius_ > 0; }
+  /// Metres from the plane of the camera (and of its lens) to `position`, along the viewing axis.
+  float depth(Vec3 position) const { return glm::dot(position - origin_, forward_); }
 
  private:
   Vec2 point_on_lens(Vec2 u) const;  // of radius 1

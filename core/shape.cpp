@@ -22,6 +22,10 @@ Vec2 texture_coordinates(ShapeKind kind, glm::dvec3 local) {
   return Vec2(0);
 }
 
+glm::dvec3 to_local(ShapeKind kind, Vec2 coordinates) {
+  return kind == ShapeKind::sphere ? octahedral_to_unit(coordinates) : glm::dvec3(glm::dvec2(coordinates), 0);
+}
+
 /// Towards larger u on the sphere, local space, any length.
 glm::dvec3 eastwards(glm::dvec3 on_sphere) {
   if (on_sphere.x == 0 && on_sphere.z == 0) return {0, 0, 1};
@@ -87,7 +91,7 @@ SurfacePoint shape_surface_point(const Scene& scene, std::uint32_t id, Vec2 coor
   const bool is_sphere = shape.kind == ShapeKind::sphere;
   const glm::dmat3 to_world(shape.to_world.linear);
   const glm::dvec3 translation(shape.to_world.translation);
-  const glm::dvec3 local = is_sphere ? octahedral_to_unit(coordinates) : glm::dvec3(glm::dvec2(coordinates), 0);
+  const glm::dvec3 local = to_local(shape.kind, coordinates);
   const glm::dvec3 position = to_world * local + translation;
   const glm::dvec3 normal = is_sphere ? local : glm::dvec3(0, 0, 1);
   const glm::dvec3 tangent = is_sphere ? eastwards(local) : glm::dvec3(1, 0, 0);
@@ -112,6 +116,10 @@ SurfacePoint shape_surface_point(const Scene& scene, std::uint32_t id, Vec2 coor
   const double magnitude = std::max(max_component(glm::abs(position)), 0x1p-24 * max_component(terms));
   point.offset = surface_offset(static_cast<float>(magnitude));
   return point;
+}
+
+Vec2 shape_texture_coordinates(const Shape& shape, Vec2 coordinates) {
+  return texture_coordinates(shape.kind, to_local(shape.kind, coordinates));
 }
 
 glm::dvec3 octahedral_to_unit(Vec2 coordinates) {

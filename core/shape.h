@@ -54,6 +54,9 @@ Bounds shape_bounds(const Shape& shape);
 /// The tangent is that of u, also without textures; at the poles of a sphere it is the one for u = 1/2.
 SurfacePoint shape_surface_point(const Scene& scene, std::uint32_t shape, Vec2 coordinates);
 
+/// Texture coordinates of the point on the shape.
+Vec2 shape_texture_coordinates(const Shape& shape, Vec2 coordinates);
+
 /// The octahedral map of the unit sphere. Coordinates beyond [-1, 1] are not allowed.
 glm::dvec3 octahedral_to_unit(Vec2 coordinates);
 Vec2 unit_to_octahedral(glm::dvec3 v);

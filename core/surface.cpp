@@ -11,6 +11,10 @@ T interpolate(const std::vector<T>& values, const Triangle& t, Vec3 weights) {
   return weights.x * values[t.x] + weights.y * values[t.y] + weights.z * values[t.z];
 }
 
+Vec3 vertex_weights(const Hit& hit) {
+  return {1 - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y};
+}
+
 Float4 interpolate(const Float4 (&values)[3], Vec3 weights) {
   return weights.x * values[0] + weights.y * values[1] + weights.z * values[2];
 }
@@ -83,7 +87,7 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const Instance& instance = scene.instances[hit.instance];
   const Triangle triangle = mesh.triangles[hit.triangle];
-  const Vec3 weights(1 - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y);
+  const Vec3 weights = vertex_weights(hit);
   const Material& material = scene.materials[mesh.material];
   Corners corners;
   for (int i = 0; i < 3; ++i) corners.positions[i] = to_lanes(mesh.positions[triangle[i]]);
@@ -122,6 +126,13 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
   }
   if (!mesh.colors.empty()) point.color = interpolate(mesh.colors, triangle, weights);
   return point;
+}
+
+Vec2 first_texture_coordinates(const Scene& scene, const Hit& hit) {
+  if (hit.is_shape()) return shape_texture_coordinates(scene.shapes[hit.triangle], hit.barycentric);
+  const Mesh& mesh = scene.meshes[hit.mesh];
+  if (mesh.uvs[0].empty()) return Vec2(0);
+  return interpolate(mesh.uvs[0], mesh.triangles[hit.triangle], vertex_weights(hit));
 }
 
 }  // namespace candil

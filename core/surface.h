@@ -30,6 +30,9 @@ struct SurfacePoint {
 /// length of the ray.
 SurfacePoint make_surface_point(const Scene& scene, const Hit& hit);
 
+/// The first set of texture coordinates there, whether or not the material has a texture; zero for a mesh without.
+Vec2 first_texture_coordinates(const Scene& scene, const Hit& hit);
+
 /// Puts the point where light meets the smooth surface that the normals of a mesh stand for, as seen from `wo`; a point
 /// without such a surface stays as it is. To be called between make_surface_point() and what starts rays there.
 ///

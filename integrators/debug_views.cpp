@@ -1,6 +1,5 @@
 // Views of the first hit, for looking into a scene rather than at it.
-#include "integrators/integrator.h"
-#include "materials/bsdf.h"
+#include "integrators/first_hit.h"
 
 namespace candil {
 namespace {
@@ -10,8 +9,7 @@ PathSample show_first_hit(const RenderContext& context, const Ray& ray, RayCount
   ++rays.camera;
   const std::optional<Hit> hit = context.accelerator.intersect(ray);
   if (!hit) return {};
-  const SurfacePoint point = make_surface_point(context.scene, *hit);
-  return {color(point, make_bsdf(context.scene, context.tables, point, -ray.direction)), 1};
+  return {color(make_first_hit(context, ray, *hit)), 1};
 }
 
 }  // namespace
@@ -19,14 +17,12 @@ PathSample show_first_hit(const RenderContext& context, const Ray& ray, RayCount
 PathSample show_normals(const RenderContext& context, const RenderSettings&, const Ray& ray, const Sampler&,
                         RayCounts& rays) {
   return show_first_hit(context, ray, rays,
-                        [](const SurfacePoint&, const Bsdf& bsdf) { return 0.5f * bsdf.shading_normal() + 0.5f; });
+                        [](const FirstHit& hit) { return 0.5f * hit.bsdf.shading_normal() + 0.5f; });
 }
 
 PathSample show_albedo(const RenderContext& context, const RenderSettings&, const Ray& ray, const Sampler&,
                        RayCounts& rays) {
-  return show_first_hit(context, ray, rays, [&](const SurfacePoint& point, const Bsdf& bsdf) {
-    return context.scene.materials[point.material].is_emissive() ? Vec3(1) : bsdf.albedo();
-  });
+  return show_first_hit(context, ray, rays, [](const FirstHit& hit) { return hit.albedo; });
 }
 
 }  // namespace candil

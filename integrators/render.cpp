@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/camera.h"
+#include "integrators/aov_film.h"
 #include "integrators/integrator.h"
 
 namespace candil {
@@ -35,14 +36,6 @@ class DenormalsAreZero {
   unsigned saved_;
 };
 
-template <Integrator trace_one>
-void trace_each(const RenderContext& context, const RenderSettings& settings, std::span<const CameraSample> samples,
-                std::span<PathSample> results, RayCounts& rays) {
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    results[i] = trace_one(context, settings, samples[i].ray, samples[i].sampler, rays);
-  }
-}
-
 struct Block {
   std::uint32_t first_sample, samples;
 };
@@ -60,7 +53,9 @@ class RenderJob {
         trace_(integrator_function(settings.integrator)),
         on_progress_(on_progress),
         stop_(stop),
-        film_(settings.width, settings.height) {}
+        film_(settings.width, settings.height) {
+    if (!settings.aovs.empty()) aov_film_.emplace(context, camera, settings);
+  }
 
   RenderResult run() {
     const std::uint32_t wanted = settings_.samples_per_pixel;
@@ -69,16 +64,21 @@ class RenderJob {
       if (film_.sample_count() > 0 && (is_stopped() || is_out_of_time())) break;
       const Block block{film_.sample_count(), next_block_size(film_.sample_count(), wanted)};
       film_.begin_block();
+      if (aov_film_) aov_film_->begin_block();
       tiles_done_ = 0;
       render_block(block);
       if (is_cancelled_) {
         film_.drop_block();
+        if (aov_film_) aov_film_->drop_block();
         break;
       }
       film_.end_block(block.samples);
+      if (aov_film_) aov_film_->end_block(block.samples);
       report(0, block.samples);
     }
-    RenderResult result{std::move(film_), {camera_rays_, bounce_rays_, shadow_rays_}, non_finite_, seconds()};
+    RenderResult result{
+        std::move(film_), {camera_rays_, bounce_rays_, shadow_rays_, aov_rays_}, non_finite_, seconds()};
+    if (aov_film_) result.aovs = aov_film_->layers();
     const bool is_complete = result.film.sample_count() == wanted;
     result.was_interrupted = !is_complete && is_stopped();
     result.was_out_of_time = !is_complete && !result.was_interrupted;
@@ -143,11 +143,17 @@ class RenderJob {
           sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
         }
         film_.block_pixel(x, y) = sum.total();
+        if (aov_film_) {
+          const std::size_t end = static_cast<std::size_t>(next - results.data());
+          const auto of_pixel = std::span(samples).subspan(end - block.samples, block.samples);
+          aov_film_->add_pixel(x, y, of_pixel, block.first_sample == 0, rays);
+        }
       }
     }
     camera_rays_ += rays.camera;
     bounce_rays_ += rays.bounce;
     shadow_rays_ += rays.shadow;
+    aov_rays_ += rays.aov;
     non_finite_ += non_finite;
   }
 
@@ -184,40 +190,16 @@ class RenderJob {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 
   Film film_;
+  std::optional<AovFilm> aov_film_;
   std::atomic<bool> is_cancelled_{false};
   std::atomic<std::int64_t> tiles_done_{0};
-  std::atomic<std::uint64_t> camera_rays_{0}, bounce_rays_{0}, shadow_rays_{0}, non_finite_{0};
+  std::atomic<std::uint64_t> camera_rays_{0}, bounce_rays_{0}, shadow_rays_{0}, aov_rays_{0}, non_finite_{0};
   std::mutex progress_mutex_;
   double last_report_ = 0;
   float relative_noise_ = 0;
 };
 
 }  // namespace
-
-std::optional<IntegratorKind> integrator_from_name(std::string_view name) {
-  if (name == "path") return IntegratorKind::path;
-  if (name == "naive") return IntegratorKind::naive;
-  if (name == "classic") return IntegratorKind::classic;
-  if (name == "normals") return IntegratorKind::normals;
-  if (name == "albedo") return IntegratorKind::albedo;
-  return std::nullopt;
-}
-
-BatchIntegrator integrator_function(IntegratorKind kind) {
-  switch (kind) {
-    case IntegratorKind::path:
-      return trace_paths;
-    case IntegratorKind::naive:
-      return trace_each<trace_naive>;
-    case IntegratorKind::classic:
-      return trace_each<trace_classic>;
-    case IntegratorKind::normals:
-      return trace_each<show_normals>;
-    case IntegratorKind::albedo:
-      return trace_each<show_albedo>;
-  }
-  return trace_paths;
-}
 
 RenderResult render(const RenderContext& context, const Camera& camera, const RenderSettings& settings,
                     const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop) {

@@ -12,6 +12,7 @@
 #include "core/light_sampler.h"
 #include "core/pixel_filter.h"
 #include "core/scene.h"
+#include "integrators/aov.h"
 #include "materials/bsdf_tables.h"
 
 namespace candil {
@@ -30,6 +31,7 @@ struct RenderSettings {
   bool transparent_background =
       false;  ///< Camera rays that hit nothing give black with alpha 0 instead of the environment.
   FilterKind filter = FilterKind::blackman_harris;
+  std::vector<Aov> aovs;          ///< Made beside the picture, each once; none cost nothing.
   int threads = 0;                ///< 0: all cores.
   double time_limit_seconds = 0;  ///< 0: none. The samples finished by then make the picture.
 };
@@ -37,7 +39,8 @@ struct RenderSettings {
 /// Rays by what they were shot for.
 struct RayCounts {
   std::uint64_t camera = 0, bounce = 0, shadow = 0;
-  std::uint64_t total() const { return camera + bounce + shadow; }
+  std::uint64_t aov = 0;  ///< Camera rays shot once more for AOVs.
+  std::uint64_t total() const { return camera + bounce + shadow + aov; }
 };
 
 struct RenderProgress {
@@ -55,6 +58,7 @@ struct RenderResult {
   double seconds = 0;
   bool was_interrupted = false;  ///< `stop` became true before all samples were done.
   bool was_out_of_time = false;
+  std::vector<ImageLayer> aovs = {};  ///< RenderSettings::aovs, of the samples that the film has.
 };
 
 /// Everything a path may ask of the scene. All of it outlives the render and is only read.

@@ -59,6 +59,11 @@ const std::vector<WrongUsage> wrong_usages = {
     {{"square.gltf", "--tonemap", "reinhard02:key"}, "--tonemap: reinhard02:key: '' is not a number"},
     {{"square.gltf", "--tonemap", "reinhard02:"}, "--tonemap: '' is not a parameter of reinhard02"},
     {{"square.gltf", "--tonemap", "gamma:gamma=2,white=nan"}, "--tonemap: gamma:white: 'nan' is not a number"},
+    {{"square.gltf", "--aov", "normals,Depth"},
+     "--aov: 'Depth' is not one of normals, depth, albedo, position, uv, material, object, all"},
+    {{"square.gltf", "--aov", ""}, "--aov"},
+    {{"square.gltf", "--aov", "depth,"}, "--aov: '' is not one of normals, "},
+    {{"square.gltf", "--aov-separate"}, "--aov"},
     {{"square.gltf", "--ppm", "P3"}, "--ppm: 'P3' is not one of binary, ascii, hdr"},
     {{"tonemap"}, "INPUT"},
     {{"tonemap", "square.gltf", "--spp", "4"}, "--spp"},
@@ -113,7 +118,7 @@ TEST(Help, ListsTheOptionsOfRender) {
        {"--output",   "--spp",        "--size",    "--max-bounces", "--filter",       "--seed",      "--threads",
         "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
         "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
-        "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet"})
+        "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet",        "--aov",       "--aov-separate"})
     EXPECT_NE(result.output.find(option), std::string::npos) << option;
 }
 
