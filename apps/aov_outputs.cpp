@@ -5,21 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "apps/option_values.h"
 #include "apps/usage_error.h"
 #include "io/atomic_file.h"
 
 namespace candil {
 namespace {
-
-constexpr const char* all = "all";
-
-std::vector<std::string> allowed_words() {
-  std::vector<std::string> words;
-  for (const Aov aov : all_aovs()) words.push_back(aov_name(aov));
-  words.emplace_back(all);
-  return words;
-}
 
 bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
   return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
@@ -31,23 +21,6 @@ std::string name_list(const std::vector<std::string>& names) {
 }
 
 }  // namespace
-
-std::vector<Aov> parse_aovs(std::string_view option, std::string_view text) {
-  std::vector<Aov> asked;
-  for (const std::string_view word : split(text, ',')) {
-    if (word == all) {
-      asked.insert(asked.end(), all_aovs().begin(), all_aovs().end());
-      continue;
-    }
-    const std::optional<Aov> aov = aov_from_name(word);
-    if (!aov) fail_choice(option, word, allowed_words());
-    asked.push_back(*aov);
-  }
-  std::ranges::sort(asked);
-  const auto repeated = std::ranges::unique(asked);
-  asked.erase(repeated.begin(), repeated.end());
-  return asked;
-}
 
 std::vector<Output> plan_aov_files(const AovOptions& options, std::span<const Output> outputs,
                                    const std::filesystem::path& scene) {

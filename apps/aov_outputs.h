@@ -1,7 +1,5 @@
-/// AOVs as the command line names them, and the files that they go into.
+/// Which AOVs are wanted, and the files that they go into.
 #pragma once
-
-#include <string_view>
 
 #include "apps/outputs.h"
 #include "integrators/aov.h"
@@ -12,9 +10,6 @@ struct AovOptions {
   std::vector<Aov> list;     ///< Each once, in the order of the enumeration.
   bool is_separate = false;  ///< Files of their own, also where an output has layers.
 };
-
-/// "normals,depth", or "all". Throws UsageError, which names `option`, the wrong word and those that are allowed.
-std::vector<Aov> parse_aovs(std::string_view option, std::string_view text);
 
 /// A file for each AOV: "picture.depth.exr" beside the first output that is a file, in the current folder and named
 /// after the scene if none is. Empty when the AOVs are layers of outputs: without AovOptions::is_separate, every .exr

@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 
+#include "apps/aov_arguments.h"
 #include "apps/display_arguments.h"
 #include "apps/usage_error.h"
 
@@ -42,8 +43,8 @@ class Arguments {
     return option->type_name(value)->group(group_)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
 
-  CLI::Option* add_flag(const std::string& name, const std::string& help, bool& target) {
-    return app_.add_flag(name, target, help)->group(group_);
+  void add_flag(const std::string& name, const std::string& help, bool& target) {
+    app_.add_flag(name, target, help)->group(group_);
   }
 
  private:
@@ -152,14 +153,7 @@ void add_output_arguments(CLI::App& app, Arguments& arguments, RenderOptions& op
                 [&](const auto& option, const auto& text) { options.size = parse_size(option, text); });
   arguments.add_flag("--transparent", "Leave the background out: alpha in .png .tif .exr",
                      options.display.is_transparent);
-  CLI::Option* const aov = arguments.add(
-      "--aov", "LIST",
-      "Also write, with commas between them: normals, depth, albedo, position, uv, material, object; or all. Layers of "
-      ".exr outputs; without one, files beside the first output: picture.depth.exr",
-      [&](const auto& option, const auto& text) { options.aovs.list = parse_aovs(option, text); });
-  arguments
-      .add_flag("--aov-separate", "Files of their own for --aov, also beside an .exr output", options.aovs.is_separate)
-      ->needs(aov);
+  add_aov_arguments(app, options.aovs);
   add_display_arguments(app, "--tonemap", "neutral; none for normals and albedo", options.display);
   arguments.add("--stats", "FILE", "Write times, counts and versions as JSON",
                 [&](const auto&, const auto& text) { options.statistics = text; });
