@@ -43,42 +43,21 @@ void replace_materials(Scene& part, std::uint32_t id, const Material& material) 
   }
 }
 
-Bounds bounds_of(const Scene& part, const Instance& instance) {
+Bounds bounds_of(const Scene& part, const Object& object) {
   Bounds bounds;
-  const Object& object = part.objects[instance.object];
   for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m)
-    for (const Vec3 p : part.meshes[m].positions) bounds.add(instance.to_world.point(p));
+    for (const Vec3 p : part.meshes[m].positions) bounds.add(p);
   return bounds;
 }
 
-std::vector<Instance> placed_instances(const JsonNode& object, const Scene& part,
-                                       const std::vector<Affine>& placements) {
-  constexpr std::size_t most = std::size_t{1} << 26;  // two short lists must not fill the memory
-  if (placements.size() * part.instances.size() > most) object.fail("makes more than 67 million instances");
-  std::vector<Instance> instances;
-  for (const Instance& instance : part.instances) {
-    const Bounds bounds = bounds_of(part, instance);
-    for (const Affine& placement : placements) {
-      check_reach(object, bounds, placement);
-      instances.push_back({instance.name, instance.object, placement * instance.to_world});
-    }
-  }
-  return instances;
+std::size_t decoded_bytes(const Scene& part) {
+  std::size_t bytes = 0;
+  for (const Mesh& mesh : part.meshes) bytes += geometry_bytes(mesh);
+  for (const TextureImage& image : part.images) bytes += image.bytes();
+  return bytes;
 }
 
-Vec3 turned(const Affine& placement, Vec3 direction) { return glm::normalize(placement.vector(direction)); }
-
-void add_placed_lights(const Scene& part, const std::vector<Affine>& placements, Scene& scene) {
-  for (const Affine& placement : placements)
-    for (PunctualLight light : part.punctual_lights) {
-      light.position = placement.point(light.position);
-      light.direction = turned(placement, light.direction);
-      scene.punctual_lights.push_back(std::move(light));
-    }
-}
-
-LoadedScene load_part(const JsonNode& file) {
-  const std::filesystem::path path = referenced_file(file);
+LoadedScene load_part(const JsonNode& file, const std::filesystem::path& path) {
   try {
     return load_gltf(path);
   } catch (const InputError& error) {
@@ -86,35 +65,91 @@ LoadedScene load_part(const JsonNode& file) {
   }
 }
 
-}  // namespace
-
-void add_gltf(const JsonNode& object, JsonMaterials& materials, LoadedScene& loaded) {
-  LoadedScene part = load_part(object["file"]);
+/// Moves everything of the file into the scene, but for what each object places by itself.
+JsonGeometryFiles::Gltf add_file(const JsonNode& object, LoadedScene part, std::optional<std::uint32_t> material,
+                                 JsonMaterials& materials, LoadedScene& loaded) {
   Scene& scene = loaded.scene;
-  const std::vector<Affine> placements = read_placements(object);
-  part.scene.instances = placed_instances(object, part.scene, placements);
-  if (object.boolean("lights", true)) add_placed_lights(part.scene, placements, scene);
-  if (object.boolean("cameras", false)) {
-    for (Camera& camera : part.scene.cameras) camera.to_world = placements.front() * camera.to_world;
-    append(scene.cameras, part.scene.cameras);
-  }
-  if (object.has("material")) {
-    const std::uint32_t id = materials.of_object(object);
-    shift_ids(part.scene, scene);
-    replace_materials(part.scene, id, scene.materials[id]);
+  JsonGeometryFiles::Gltf gltf;
+  std::vector<Bounds> bounds;
+  for (const Object& each : part.scene.objects) bounds.push_back(bounds_of(part.scene, each));
+  for (const Instance& instance : part.scene.instances) gltf.bounds.push_back(bounds[instance.object]);
+  shift_ids(part.scene, scene);
+  if (material) {
+    replace_materials(part.scene, *material, scene.materials[*material]);
   } else {
-    for (Material& material : part.scene.materials) materials.immerse(material);
-    shift_ids(part.scene, scene);
+    for (Material& each : part.scene.materials) materials.immerse(each);
     append(scene.materials, part.scene.materials);
     append(scene.textures, part.scene.textures);
     append(scene.images, part.scene.images);
   }
   append(scene.meshes, part.scene.meshes);
   append(scene.objects, part.scene.objects);
-  append(scene.instances, part.scene.instances);
+  gltf.instances = std::move(part.scene.instances);
+  gltf.lights = std::move(part.scene.punctual_lights);
+  gltf.cameras = std::move(part.scene.cameras);
   for (const std::string& warning : part.warnings) loaded.warnings.push_back(object.place() + ": " + warning);
   append(loaded.extensions_used, part.extensions_used);
   append(loaded.extensions_unsupported, part.extensions_unsupported);
+  return gltf;
+}
+
+void add_instances(const JsonNode& object, const JsonGeometryFiles::Gltf& gltf, const std::vector<Affine>& placements,
+                   Scene& scene) {
+  constexpr std::size_t most = std::size_t{1} << 26;  // two short lists must not fill the memory
+  if (scene.instances.size() + placements.size() * gltf.instances.size() > most)
+    object.fail("makes more than 67 million instances");
+  for (std::size_t i = 0; i < gltf.instances.size(); ++i) {
+    const Instance& instance = gltf.instances[i];
+    for (const Affine& placement : placements) {
+      const Affine to_world = placement * instance.to_world;
+      check_reach(object, gltf.bounds[i], to_world);
+      scene.instances.push_back({instance.name, instance.object, to_world});
+    }
+  }
+}
+
+Vec3 turned(const Affine& placement, Vec3 direction) { return glm::normalize(placement.vector(direction)); }
+
+void add_lights(const JsonNode& object, const std::vector<PunctualLight>& lights, const std::vector<Affine>& placements,
+                Scene& scene) {
+  constexpr std::size_t most = std::size_t{1} << 20;
+  if (scene.punctual_lights.size() + placements.size() * lights.size() > most)
+    object.fail("makes more than a million lights");
+  for (const Affine& placement : placements)
+    for (PunctualLight light : lights) {
+      light.position = placement.point(light.position);
+      light.direction = turned(placement, light.direction);
+      scene.punctual_lights.push_back(std::move(light));
+    }
+}
+
+void add_cameras(const JsonNode& object, const std::vector<Camera>& cameras, const Affine& placement, Scene& scene) {
+  constexpr std::size_t most = std::size_t{1} << 16;
+  if (scene.cameras.size() + cameras.size() > most) object.fail("makes more than 65536 cameras");
+  for (Camera camera : cameras) {
+    camera.to_world = placement * camera.to_world;
+    scene.cameras.push_back(std::move(camera));
+  }
+}
+
+}  // namespace
+
+void add_gltf(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles& geometry, LoadedScene& loaded) {
+  const std::filesystem::path path = referenced_file(object["file"]);
+  const std::vector<Affine> placements = read_placements(object);
+  const std::optional<std::uint32_t> material =
+      object.has("material") ? std::optional(materials.of_object(object)) : std::nullopt;
+  const std::string key = (material ? std::to_string(*material) : "") + " " + path.string();
+  const auto [entry, is_new] = geometry.gltf.try_emplace(key);
+  if (is_new) {
+    LoadedScene part = load_part(object["file"], path);
+    geometry.charge(object, decoded_bytes(part.scene));
+    entry->second = add_file(object, std::move(part), material, materials, loaded);
+  }
+  Scene& scene = loaded.scene;
+  add_instances(object, entry->second, placements, scene);
+  if (object.boolean("lights", true)) add_lights(object, entry->second.lights, placements, scene);
+  if (object.boolean("cameras", false)) add_cameras(object, entry->second.cameras, placements.front(), scene);
 }
 
 }  // namespace candil

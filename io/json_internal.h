@@ -68,7 +68,7 @@ class JsonMaterials {
   Scene& scene_;
   JsonTextures& textures_;
   const float medium_ior_;
-  std::map<std::string, std::uint32_t> ids_;
+  std::map<const void*, std::uint32_t> ids_;  ///< By JsonNode::identity(); null is the default material.
 };
 
 /// Steps, the first one applied first.
@@ -82,10 +82,39 @@ void check_reach(const JsonNode& object, const Bounds& bounds, const Affine& to_
 /// "bunny" for an object with that name, else its place.
 std::string object_name(const JsonNode& object);
 
+/// What the files of geometry have become, so that a file is read once however many objects name it, and what they may
+/// still expand to.
+class JsonGeometryFiles {
+ public:
+  struct Ply {
+    std::uint32_t object = invalid_id;  ///< Into Scene::objects; invalid_id: nothing to show.
+    Bounds bounds;
+  };
+  struct Gltf {
+    std::vector<Instance> instances;  ///< Of objects of the scene; as in the file, not yet placed.
+    std::vector<Bounds> bounds;       ///< Of each instance, before its transform.
+    std::vector<PunctualLight> lights;
+    std::vector<Camera> cameras;
+  };
+
+  std::map<std::string, std::uint32_t> ply_meshes;  ///< Into Scene::meshes, by file and options.
+  std::map<std::string, Ply> ply;                   ///< By file, options and material.
+  std::map<std::string, Gltf> gltf;                 ///< By file and material.
+
+  /// Small files must not fill the memory by being shown in ever more materials: fails beyond 8 GiB.
+  void charge(const JsonNode& object, std::size_t bytes);
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+std::size_t geometry_bytes(const Mesh& mesh);
+
 void add_shape(const JsonNode& object, JsonMaterials& materials, Scene& scene);
-/// Quads, triangles and PLY files.
-void add_mesh(const JsonNode& object, JsonMaterials& materials, LoadedScene& loaded);
-void add_gltf(const JsonNode& object, JsonMaterials& materials, LoadedScene& loaded);
+/// Quads and triangles.
+void add_mesh(const JsonNode& object, JsonMaterials& materials, Scene& scene);
+void add_ply(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles& geometry, LoadedScene& loaded);
+void add_gltf(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles& geometry, LoadedScene& loaded);
 
 void add_cameras(const std::vector<JsonFile>& files, Scene& scene);
 void add_light(const JsonNode& light, Scene& scene);

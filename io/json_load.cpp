@@ -9,11 +9,12 @@
 namespace candil {
 namespace {
 
-void add_object(const JsonNode& object, JsonMaterials& materials, LoadedScene& loaded) {
+void add_object(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles& geometry, LoadedScene& loaded) {
   const std::string type = object["type"].text();
   if (type == "sphere" || type == "disc" || type == "plane") return add_shape(object, materials, loaded.scene);
-  if (type == "gltf") return add_gltf(object, materials, loaded);
-  add_mesh(object, materials, loaded);
+  if (type == "gltf") return add_gltf(object, materials, geometry, loaded);
+  if (type == "ply") return add_ply(object, materials, geometry, loaded);
+  add_mesh(object, materials, loaded.scene);
 }
 
 /// The elements of the root member `key` of every file, in order.
@@ -95,7 +96,8 @@ LoadedScene load_json_scene(const std::filesystem::path& path) {
   const auto medium = find_last(files, "medium");
   JsonTextures textures(files, scene);
   JsonMaterials materials(files, scene, textures, medium ? medium->number("ior", 1) : 1);
-  for_each_element(files, "objects", [&](const JsonNode& object) { add_object(object, materials, loaded); });
+  JsonGeometryFiles geometry;
+  for_each_element(files, "objects", [&](const JsonNode& object) { add_object(object, materials, geometry, loaded); });
   for_each_element(files, "lights", [&](const JsonNode& light) { add_light(light, scene); });
   const auto environment = find_last(files, "environment");
   if (environment) scene.environment = read_environment_of(*environment);

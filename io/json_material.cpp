@@ -1,6 +1,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/metals.h"
+#include "io/default_material.h"
 #include "io/json_internal.h"
 
 namespace candil {
@@ -107,8 +109,10 @@ class MaterialReader {
     material_.model = MaterialModel::conductor;
     read_base_color("color", Vec3(1));
     material_.roughness = source_.number("roughness", 0);
-    material_.conductor_eta = source_["eta"].color();
-    material_.conductor_k = source_["k"].color();
+    const auto metal = source_.find("metal");
+    const auto known = metal ? find_metal(metal->text()) : std::nullopt;
+    material_.conductor_eta = (known ? known->eta : source_["eta"].color()) / medium_ior_;
+    material_.conductor_k = (known ? known->k : source_["k"].color()) / medium_ior_;
   }
 
   void read_metallic_roughness() {
@@ -163,27 +167,19 @@ std::uint32_t JsonMaterials::of_object(const JsonNode& object) {
   const auto reference = object.find("material");
   if (reference && reference->is_string()) return add(find_named(files_, "materials", *reference), reference->text());
   if (reference) return add(*reference, reference->place());
-  const auto [entry, is_new] = ids_.try_emplace("", static_cast<std::uint32_t>(scene_.materials.size()));
-  if (is_new) {
-    Material grey;
-    grey.name = "default";
-    grey.base_color = Vec4(0.5f, 0.5f, 0.5f, 1);
-    grey.metallic = grey.specular = 0;
-    grey.is_double_sided = true;
-    scene_.materials.push_back(std::move(grey));
-  }
+  const auto [entry, is_new] = ids_.try_emplace(nullptr, static_cast<std::uint32_t>(scene_.materials.size()));
+  if (is_new) scene_.materials.push_back(default_material());
   return entry->second;
 }
 
 std::uint32_t JsonMaterials::add(const JsonNode& source, const std::string& name) {
-  const std::string key = source.file().name + ": " + source.place();
-  const auto found = ids_.find(key);
+  const auto found = ids_.find(source.identity());
   if (found != ids_.end()) return found->second;
   Material material = MaterialReader(source, textures_, medium_ior_).read();
   material.name = name;
   const auto id = static_cast<std::uint32_t>(scene_.materials.size());
   scene_.materials.push_back(std::move(material));
-  ids_.emplace(key, id);
+  ids_.emplace(source.identity(), id);
   return id;
 }
 

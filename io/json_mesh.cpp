@@ -1,5 +1,4 @@
 #include "io/json_internal.h"
-#include "io/ply.h"
 #include "io/tangents.h"
 
 namespace candil {
@@ -37,34 +36,15 @@ void check_area(const JsonNode& place, const Mesh& mesh) {
     place.fail("must not lie on one line");
 }
 
-Mesh read_ply(const JsonNode& object, std::vector<std::string>& warnings) {
-  PlyOptions options;
-  const std::string normals = object.text("normals", "file");
-  options.normals = normals == "smooth" ? NormalSource::smooth
-                    : normals == "flat" ? NormalSource::flat
-                                        : NormalSource::file;
-  options.crease_angle = object.radians("crease_angle", 180);
-  return load_ply(referenced_file(object["file"]), options, warnings);
-}
-
-Mesh read_mesh(const JsonNode& object, std::vector<std::string>& warnings) {
-  const std::string type = object["type"].text();
-  if (type == "ply") return read_ply(object, warnings);
-  const bool is_quad = type == "quad";
-  Mesh mesh = is_quad ? make_quad(object["corners"]) : make_triangle(object);
-  check_area(object[is_quad ? "corners" : "vertices"], mesh);
-  return mesh;
-}
-
 }  // namespace
 
-void add_mesh(const JsonNode& object, JsonMaterials& materials, LoadedScene& loaded) {
-  Scene& scene = loaded.scene;
-  Mesh mesh = read_mesh(object, loaded.warnings);
+void add_mesh(const JsonNode& object, JsonMaterials& materials, Scene& scene) {
+  const bool is_quad = object["type"].text() == "quad";
+  Mesh mesh = is_quad ? make_quad(object["corners"]) : make_triangle(object);
+  check_area(object[is_quad ? "corners" : "vertices"], mesh);
   mesh.name = object_name(object);
   mesh.material = materials.of_object(object);
-  const Material& material = scene.materials[mesh.material];
-  if (material.normal_texture.is_used() && !mesh.uvs[0].empty()) generate_tangents(mesh, 0);
+  if (scene.materials[mesh.material].normal_texture.is_used() && !mesh.uvs[0].empty()) generate_tangents(mesh, 0);
   Bounds bounds;
   for (const Vec3 p : mesh.positions) bounds.add(p);
   const auto object_id = static_cast<std::uint32_t>(scene.objects.size());

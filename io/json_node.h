@@ -30,6 +30,8 @@ class JsonNode {
   const JsonFile& file() const { return *file_; }
   /// "objects[3].radius".
   const std::string& place() const { return place_; }
+  /// The same for all nodes of one value, different for others. (Places are cut where they are long.)
+  const void* identity() const { return value_; }
   /// Throws InputError that names the file and the place.
   [[noreturn]] void fail(const std::string& message) const;
 

@@ -124,7 +124,7 @@ class Check {
     for (const auto& [key, member] : value.items()) {
       const bool is_known = properties.contains(key);
       if (!is_known && !others.is_object()) fail_unknown(key, properties, place);
-      this->value(member, is_known ? properties.at(key) : others, member_place(place, key));
+      this->value(member, is_known ? properties.at(key) : others, member_place(place, printable(key)));
     }
     if (!rules.contains("required")) return;
     for (const std::string key : rules.at("required"))
@@ -173,11 +173,15 @@ class Check {
     if (!value.contains("type")) fail(member_place(place, "type"), "is missing");
     const json& wanted = value.at("type");
     std::vector<std::string_view> known;
+    std::vector<const json*> chosen;
     for (const json* rules : candidates) {
       const json& type = rules->at("properties").at("type").at("const");
-      if (type == wanted) return rules;
-      known.push_back(type.get_ref<const std::string&>());
+      if (type == wanted) chosen.push_back(rules);
+      const std::string_view name = type.get_ref<const std::string&>();
+      if (std::ranges::find(known, name) == known.end()) known.push_back(name);
     }
+    if (chosen.size() == 1) return chosen.front();
+    if (chosen.size() > 1) return choose_by_required(value, chosen, place);
     if (!wanted.is_string()) fail(member_place(place, "type"), "must be a string");
     const std::string& text = wanted.get_ref<const std::string&>();
     fail(member_place(place, "type"), quoted_text(text) + " is not known" + suggestion(text, known));
@@ -230,6 +234,7 @@ std::string_view most_similar(std::string_view word, const std::vector<std::stri
   std::string_view best;
   std::size_t least = word.size() / 3 + 2;
   for (const std::string_view other : words) {
+    if (other.size() >= word.size() + least) continue;  // the distance is no less than the difference in length
     std::vector<std::size_t> row(other.size() + 1);  // distances from the letters of `word` so far to those of `other`
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 0; i < word.size(); ++i) {

@@ -12,7 +12,7 @@ namespace candil {
 
 /// `type` (one), `const`, `enum`, `properties`, `required`, `additionalProperties`, `items` (one), `minItems`,
 /// `maxItems`, `minimum`, `maximum`, `exclusiveMinimum`, `$ref` (local), and `oneOf` with alternatives that can be told
-/// apart: by their type, by the `const` of their property "type", or by the properties that they require.
+/// apart: by their type, by the `const` of their property "type", or by the first property that they require.
 class JsonSchema {
  public:
   /// Throws std::invalid_argument for text that is no schema of this kind, any unknown keyword included.

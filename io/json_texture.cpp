@@ -64,9 +64,10 @@ TextureSlot JsonTextures::slot(const JsonNode& name, Use use, float height) {
                                                  : std::to_string(std::bit_cast<std::uint32_t>(height));
   const auto [entry, is_new] = texture_ids_.try_emplace(variant + " " + name.text(), invalid_id);
   if (is_new) {
+    const auto file = texture.find("image");
     const std::string image_key = variant + " " + texture.text("color_space", "srgb") + " " +
-                                  texture.text("wrap", "repeat") + " " + texture.file().name + " " +
-                                  texture.text("image", texture.place());
+                                  texture.text("wrap", "repeat") + " " +
+                                  (file ? referenced_file(*file).string() : "checkerboard " + name.text());
     const auto [image, is_new_image] = image_ids_.try_emplace(image_key, scene_.images.size());
     if (is_new_image) scene_.images.push_back(make_image(texture, use, height));
     const bool is_nearest = texture.has("checkerboard") || texture.text("filter", "bilinear") == "nearest";

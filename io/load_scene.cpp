@@ -2,22 +2,35 @@
 
 #include <array>
 #include <fstream>
+#include <string>
 #include <string_view>
 
 #include "io/error.h"
 #include "io/gltf_internal.h"
 #include "io/json_internal.h"
+#include "io/ply_scene.h"
 
 namespace candil {
 
 namespace {
 
-/// True when the file begins as binary glTF or, after blanks and a byte order mark, as a JSON object.
-bool looks_like_gltf(const std::filesystem::path& path) {
+/// The first bytes of a file; empty when it is, or cannot be opened.
+std::string read_start(const std::filesystem::path& path) {
   std::array<char, 256> start{};
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};  // a pipe could block for ever
   std::ifstream stream(path, std::ios::binary);
   stream.read(start.data(), start.size());
-  std::string_view text(start.data(), static_cast<std::size_t>(stream.gcount()));
+  return {start.data(), static_cast<std::size_t>(stream.gcount())};
+}
+
+bool looks_like_ply(std::string_view text) {
+  constexpr std::string_view line_ends_or_blanks = "\r\n \t";
+  return text.starts_with("ply") && text.size() > 3 && line_ends_or_blanks.find(text[3]) != std::string_view::npos;
+}
+
+/// True for binary glTF and for text that begins, after blanks and a byte order mark, as a JSON object.
+bool looks_like_gltf(std::string_view text) {
   if (text.starts_with("glTF")) return true;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -28,12 +41,11 @@ bool looks_like_gltf(const std::filesystem::path& path) {
 
 LoadedScene load_scene(const std::filesystem::path& path) {
   if (path.extension() == ".json" && is_json_scene(path)) return load_json_scene(path);
-  std::error_code error;
-  const bool has_content = std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) > 0;
+  const std::string start = read_start(path);
+  if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply")) return load_ply_scene(path);
   // What cannot be opened gets its message from the reader.
-  if (has_content && !looks_like_gltf(path) && std::ifstream(path)) {
-    throw InputError(path.string(), "", "is neither a .gltf nor a .glb file");
-  }
+  if (!start.empty() && !looks_like_gltf(start))
+    throw InputError(path.string(), "", "is no .gltf, .glb, .json or .ply file");
   return load_gltf(path);
 }
 

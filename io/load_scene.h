@@ -32,7 +32,7 @@ struct LoadedScene {
   bool is_lit = false;
 };
 
-/// Loads .gltf, .glb and .json (a scene as docs/scene-format.md has it, or glTF). Throws InputError when the file
+/// Loads .gltf, .glb, .ply and .json (a scene as docs/scene-format.md has it, or glTF). Throws InputError when the file
 /// cannot be used.
 LoadedScene load_scene(const std::filesystem::path& path);
 

@@ -14,7 +14,7 @@ Mesh load_ply(const std::filesystem::path& path, const PlyOptions& options, std:
   const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
   const PlyHeader header = parse_ply_header(bytes, file, warnings);
   Mesh mesh = make_ply_mesh(read_ply_data(header, bytes, file, warnings), file, warnings);
-  if (mesh.triangles.empty()) warnings.push_back("has no faces, nothing of it is shown");
+  if (mesh.triangles.empty()) warnings.push_back("the file has no faces, nothing of it is shown");
   if (options.normals == NormalSource::smooth) compute_smooth_normals(mesh, options.crease_angle);
   if (options.normals == NormalSource::flat) mesh.normals.clear();
   return mesh;

@@ -94,12 +94,18 @@ class DataReader {
       if (target.indices != nullptr) target.indices->sizes.reserve(element.count);
       if (target.indices != nullptr) target.indices->values.reserve(3 * element.count);
     }
-    std::uint64_t row = 0;
+    std::uint64_t row = 0, long_rows = 0;
     try {
-      for (; row < element.count; ++row) read_row(source, element, targets, data_.vertex_count);
+      for (; row < element.count; ++row) {
+        read_row(source, element, targets, data_.vertex_count);
+        if (source.end_row()) ++long_rows;
+      }
     } catch (const PlyValueError& error) {
       throw InputError(file_, "element " + printable(element.name) + ", row " + std::to_string(row), error.message);
     }
+    if (long_rows > 0)
+      warnings_.push_back("element " + printable(element.name) + ": " + std::to_string(long_rows) +
+                          " rows have more values than the header tells, they are ignored");
   }
 
   std::vector<Target> choose_targets(const PlyElement& element) {

@@ -77,7 +77,8 @@ class HeaderParser {
 
   PlyHeader parse() {
     auto line = lines_.next();
-    if (!line || take_word(*line) != "ply") fail("does not begin with \"ply\"");
+    if (!line) throw InputError(file_, "", "is empty");
+    if (take_word(*line) != "ply") fail("does not begin with \"ply\"");
     while ((line = lines_.next())) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);

@@ -38,7 +38,7 @@ class TriangleMaker {
 
  private:
   void report(std::size_t count, const char* what) const {
-    if (count > 0) warnings_.push_back(std::to_string(count) + " " + what);
+    if (count > 0) warnings_.push_back("element face: " + std::to_string(count) + " " + what);
   }
 
   void add_faces() {
@@ -134,7 +134,8 @@ void set_normals(const PlyData& data, const VertexSelection& used, Mesh& mesh, s
     const std::size_t row = used.element(i);
     mesh.normals.emplace_back(data.normal_x[row], data.normal_y[row], data.normal_z[row]);
   }
-  if (repair_normals(mesh)) warnings.push_back("has normals without a direction, those of the triangles are used");
+  if (repair_normals(mesh))
+    warnings.push_back("element vertex: has normals without a direction, those of the triangles are used");
 }
 
 void set_uvs(const PlyData& data, const VertexSelection& used, Mesh& mesh) {
@@ -167,7 +168,7 @@ void set_colors(const PlyData& data, const VertexSelection& used, Mesh& mesh, st
     }
     mesh.colors.push_back(color);
   }
-  if (is_clamped) warnings.push_back("has colours out of range, they are clamped");
+  if (is_clamped) warnings.push_back("element vertex: has colours out of range, they are clamped");
 }
 
 /// Texture coordinates that belong to corners of faces: vertices are doubled where their faces disagree.
@@ -193,7 +194,7 @@ void repair_uvs(Mesh& mesh, std::vector<std::string>& warnings) {
     uv = Vec2(0);
     is_repaired = true;
   }
-  if (is_repaired) warnings.push_back("has texture coordinates that are not finite, 0 is used");
+  if (is_repaired) warnings.push_back("element vertex: has texture coordinates that are not finite, 0 is used");
 }
 
 }  // namespace

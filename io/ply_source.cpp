@@ -1,5 +1,6 @@
 #include "io/ply_source.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -64,6 +65,12 @@ void PlyText::skip(PlyType type, std::uint64_t count) {
 std::uint64_t PlyText::most_rows(const PlyElement& element) const {
   if (element.properties.empty()) return std::numeric_limits<std::uint64_t>::max();
   return most_values(PlyType::uint8) / element.properties.size();
+}
+
+bool PlyText::end_row() {
+  const std::string_view rest = text_.substr(0, text_.find_first_of("\r\n"));
+  text_.remove_prefix(rest.size());
+  return !std::ranges::all_of(rest, is_blank);
 }
 
 bool PlyText::is_at_end() {

@@ -20,7 +20,7 @@ struct PlyValueError {
 /// `value` as an integer; throws PlyValueError when it is none.
 std::int64_t integer_of(double value);
 
-/// Words between blanks and line ends; rows are not told apart by lines.
+/// Words between blanks and line ends.
 class PlyText {
  public:
   explicit PlyText(std::string_view text) : text_(text) {}
@@ -33,6 +33,8 @@ class PlyText {
   /// Upper bound of the rows that are left.
   std::uint64_t most_rows(const PlyElement& element) const;
   bool is_at_end();
+  /// Leaves the line: one row is one line or several. True when there was more on it.
+  bool end_row();
 
  private:
   std::string_view next_word();
@@ -83,6 +85,7 @@ class PlyBytes {
   }
 
   bool is_at_end() const { return bytes_.empty(); }
+  bool end_row() const { return false; }
 
  private:
   template <typename Unsigned>

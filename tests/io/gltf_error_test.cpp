@@ -57,7 +57,7 @@ TEST(GltfError, NamesAllRequiredExtensionsThatAreMissing) {
 
 TEST(GltfError, RefusesWhatIsNotGltf) {
   EXPECT_EQ(load_error(""), "model.gltf: the file is empty");
-  EXPECT_EQ(load_error("ply\nformat ascii 1.0\n"), "model.gltf: is neither a .gltf nor a .glb file");
+  EXPECT_EQ(load_error("solid cube\n"), "model.gltf: is no .gltf, .glb, .json or .ply file");
   EXPECT_EQ(load_error("{\"asset\":").substr(0, 40), "model.gltf: JSON: parse error at line 1,");
   EXPECT_EQ(load_error("{\"a\":" + std::string(100000, '[')), "model.gltf: JSON: is nested deeper than 128 levels");
   EXPECT_EQ(load_error("{" + asset + ",\"extras\":\"" + std::string(500, '[') + "\\\"[\"}"), "")
