@@ -20,11 +20,15 @@ struct Target {
   bool may_restart = false;  ///< Of indices: -1 is allowed.
 };
 
-std::uint32_t vertex_index(std::int64_t index, std::uint64_t vertex_count, bool may_restart) {
-  if (index >= 0 && static_cast<std::uint64_t>(index) < vertex_count) return static_cast<std::uint32_t>(index);
-  if (may_restart && (index == -1 || index == invalid_id)) return invalid_id;
+[[noreturn]] void fail_out_of_range(std::int64_t index, std::uint64_t vertex_count) {
   throw PlyValueError{"vertex " + std::to_string(index) + " is out of range, there are " +
                       std::to_string(vertex_count)};
+}
+
+std::uint32_t vertex_index(std::int64_t index, std::uint64_t vertex_count, bool may_restart) {
+  if (static_cast<std::uint64_t>(index) < vertex_count) return static_cast<std::uint32_t>(index);
+  if (may_restart && (index == -1 || index == invalid_id)) return invalid_id;
+  fail_out_of_range(index, vertex_count);
 }
 
 template <class Source>
@@ -36,8 +40,12 @@ void read_list(Source& source, const PlyProperty& property, const Target& target
     throw PlyValueError{"a list claims " + std::to_string(size) + " values, the file has not that many left"};
   if (target.indices != nullptr) {
     target.indices->sizes.push_back(static_cast<std::uint32_t>(count));
-    for (std::uint64_t i = 0; i < count; ++i)
-      target.indices->values.push_back(vertex_index(source.integer(property.type), vertex_count, target.may_restart));
+    const std::size_t first = target.indices->values.size();
+    target.indices->values.resize(first + count);
+    std::uint32_t* next = target.indices->values.data() + first;
+    source.for_each_integer(property.type, count, [&](std::int64_t index) {
+      *next++ = vertex_index(index, vertex_count, target.may_restart);
+    });
   } else if (target.lists != nullptr) {
     target.lists->sizes.push_back(static_cast<std::uint32_t>(count));
     for (std::uint64_t i = 0; i < count; ++i)
@@ -48,14 +56,14 @@ void read_list(Source& source, const PlyProperty& property, const Target& target
 }
 
 template <class Source>
-void read_row(Source& source, const PlyElement& element, const std::vector<Target>& targets,
+void read_row(Source& source, const PlyElement& element, const std::vector<Target>& targets, std::uint64_t row,
               std::uint64_t vertex_count) {
   for (std::size_t p = 0; p < targets.size(); ++p) {
     const PlyProperty& property = element.properties[p];
     if (property.is_list()) {
       read_list(source, property, targets[p], vertex_count);
     } else if (targets[p].values != nullptr) {
-      targets[p].values->push_back(static_cast<float>(source.number(property.type)));
+      (*targets[p].values)[row] = static_cast<float>(source.number(property.type));
     } else {
       source.skip(property.type, 1);
     }
@@ -90,14 +98,14 @@ class DataReader {
     if (element.properties.empty()) return;
     const std::vector<Target> targets = choose_targets(element);
     for (const Target& target : targets) {
-      if (target.values != nullptr) target.values->reserve(element.count);
+      if (target.values != nullptr) target.values->resize(element.count);
       if (target.indices != nullptr) target.indices->sizes.reserve(element.count);
       if (target.indices != nullptr) target.indices->values.reserve(3 * element.count);
     }
     std::uint64_t row = 0, long_rows = 0;
     try {
       for (; row < element.count; ++row) {
-        read_row(source, element, targets, data_.vertex_count);
+        read_row(source, element, targets, row, data_.vertex_count);
         if (source.end_row()) ++long_rows;
       }
     } catch (const PlyValueError& error) {

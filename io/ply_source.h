@@ -27,6 +27,10 @@ class PlyText {
 
   double number(PlyType type);
   std::int64_t integer(PlyType type);
+  template <class Function>
+  void for_each_integer(PlyType type, std::uint64_t count, const Function& function) {
+    for (std::uint64_t i = 0; i < count; ++i) function(integer(type));
+  }
   void skip(PlyType type, std::uint64_t count);
   /// Upper bound of the values of this type that are left.
   std::uint64_t most_values(PlyType) const { return (text_.size() + 1) / 2; }
@@ -54,21 +58,32 @@ class PlyBytes {
   }
 
   std::int64_t integer(PlyType type) {
+    std::int64_t value = 0;
+    for_each_integer(type, 1, [&](std::int64_t v) { value = v; });
+    return value;
+  }
+
+  /// `function` gets `count` values, one by one; the type is looked at once.
+  template <class Function>
+  void for_each_integer(PlyType type, std::uint64_t count, const Function& function) {
+    const auto repeat = [&](auto next) {
+      for (std::uint64_t i = 0; i < count; ++i) function(static_cast<std::int64_t>(next()));
+    };
     switch (type) {
       case PlyType::int8:
-        return static_cast<std::int8_t>(take<std::uint8_t>());
+        return repeat([this] { return static_cast<std::int8_t>(take<std::uint8_t>()); });
       case PlyType::uint8:
-        return take<std::uint8_t>();
+        return repeat([this] { return take<std::uint8_t>(); });
       case PlyType::int16:
-        return static_cast<std::int16_t>(take<std::uint16_t>());
+        return repeat([this] { return static_cast<std::int16_t>(take<std::uint16_t>()); });
       case PlyType::uint16:
-        return take<std::uint16_t>();
+        return repeat([this] { return take<std::uint16_t>(); });
       case PlyType::int32:
-        return static_cast<std::int32_t>(take<std::uint32_t>());
+        return repeat([this] { return static_cast<std::int32_t>(take<std::uint32_t>()); });
       case PlyType::uint32:
-        return take<std::uint32_t>();
+        return repeat([this] { return take<std::uint32_t>(); });
       default:
-        return integer_of(number(type));
+        return repeat([this, type] { return integer_of(number(type)); });
     }
   }
 
