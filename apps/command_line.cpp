@@ -33,7 +33,7 @@ Examples:
 
 void add_info_arguments(CLI::App& app, InfoOptions& options) {
   app.add_option_function<std::string>(
-         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf or .glb")
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb, .ply or .json")
       ->required();
   app.add_flag("--json", options.is_json, "Print JSON for machines");
   app.footer(info_footer);

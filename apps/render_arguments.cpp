@@ -179,7 +179,7 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
   options.settings.samples_per_pixel = not_given;
   Arguments arguments(app);
   app.add_option_function<std::string>(
-         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb or .json")
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb, .ply or .json")
       ->required();
   add_output_arguments(app, arguments, options);
   add_sampling_arguments(arguments, options.settings);

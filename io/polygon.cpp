@@ -63,7 +63,8 @@ class EarClipper {
       }
       at %= left_.size();
     }
-    const bool is_done = left_.size() == 3;
+    // Ears take their area off the outline's: what is left of one that crosses itself may face backwards.
+    const bool is_done = left_.size() == 3 && signed_area(points_[left_[0]], points_[left_[1]], points_[left_[2]]) >= 0;
     add_fan(left_, triangles);
     return is_done;
   }

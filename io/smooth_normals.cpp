@@ -133,8 +133,12 @@ class Smoother {
       groups[corner] = sets_.find(corner);
       if (!is_empty(corner)) of_vertex[vertex(corner)] = groups[corner];
     }
-    for (std::uint32_t corner = 0; corner < groups.size(); ++corner)
-      if (is_empty(corner) && of_vertex[vertex(corner)] != invalid_id) groups[corner] = of_vertex[vertex(corner)];
+    for (std::uint32_t corner = 0; corner < groups.size(); ++corner) {
+      if (!is_empty(corner)) continue;
+      std::uint32_t& group = of_vertex[vertex(corner)];
+      if (group == invalid_id) group = groups[corner];
+      groups[corner] = group;
+    }
     return groups;
   }
 

@@ -10,6 +10,8 @@ struct WrongScene {
   std::string text, message;
 };
 
+void PrintTo(const WrongScene& wrong, std::ostream* out) { *out << wrong.message; }
+
 class JsonError : public testing::TestWithParam<WrongScene> {};
 
 TEST_P(JsonError, NamesThePlace) { EXPECT_EQ(json_error(GetParam().text), "scene.json: " + GetParam().message); }
@@ -40,6 +42,11 @@ INSTANTIATE_TEST_SUITE_P(
         WrongScene{R"({"materials": {"a": {"type": "lambertian", "kd": [0.5, 1.5, 0]}}})",
                    "materials.a.kd[1]: must be <= 1"},
         WrongScene{R"({"materials": {"a": {"type": "dielectric", "ior": 0.9}}})", "materials.a.ior: must be >= 1"},
+        WrongScene{R"({"materials": {"a": {"type": "conductor", "metal": "glod"}}})",
+                   "materials.a.metal: \"glod\" is not known; did you mean \"gold\"?"},
+        WrongScene{R"({"materials": {"a": {"type": "conductor"}}})", "materials.a: must have \"metal\" or \"eta\""},
+        WrongScene{R"({"materials": {"a": {"type": "conductor", "eta": 1}}})", "materials.a.k: is missing"},
+        WrongScene{R"({"materials": {"a\nb": {"type": "mirror", "ks": 2}}})", "materials.a?b.ks: must be <= 1"},
         WrongScene{R"({"textures": {"a": {"wrap": "clamp"}}})", "textures.a: must have \"image\" or \"checkerboard\""},
         WrongScene{R"({"textures": {"a": {"image": "a.png", "wrap": "clmap"}}})",
                    "textures.a.wrap: \"clmap\" is not known; did you mean \"clamp\"?"},

@@ -1,6 +1,7 @@
 /// What JSON scenes become.
 #include <gtest/gtest.h>
 
+#include "core/metals.h"
 #include "tests/io/gltf_sample.h"
 #include "tests/io/json_sample.h"
 
@@ -138,6 +139,13 @@ TEST(JsonMaterial, EachTypeBecomesItsModel) {
   EXPECT_EQ(conductor.model, MaterialModel::conductor);
   EXPECT_EQ(conductor.conductor_eta, Vec3(0.2f));
   EXPECT_EQ(conductor.conductor_k, Vec3(4, 3, 2));
+  const Material gold = only_material(R"({"type": "conductor", "metal": "gold"})", R"("medium": {"ior": 2}, )");
+  EXPECT_EQ(gold.model, MaterialModel::conductor);
+  EXPECT_EQ(gold.conductor_eta, find_metal("Au")->eta / 2.0f);  // against what is around it
+  EXPECT_EQ(gold.conductor_k, find_metal("Au")->k / 2.0f);
+  for (const Metal& metal : metals())
+    for (const std::string_view name : {metal.name, metal.symbol})
+      EXPECT_EQ(only_material(R"({"type": "conductor", "metal": ")" + std::string(name) + "\"}").conductor_k, metal.k);
   const Material emitter = only_material(R"({"type": "emitter", "emission": [3, 2, 1]})");
   EXPECT_EQ(emitter.emission, Vec3(3, 2, 1));
   EXPECT_TRUE(is_black(Vec3(emitter.base_color)));
