@@ -22,10 +22,10 @@ struct PlyOptions {
 };
 
 /// The faces and triangle strips of the file as triangles of material 0 (polygons are split into triangles) over the
-/// vertices that they use, with normals, texture coordinates and colours where the file has them. PLY puts (0, 0) at the
+/// vertices that they use, with normals, texture coordinates and colours where the file has them. PLY has (0, 0) at the
 /// lower left corner of an image: v becomes 1 - v. Colours of integer types are sRGB, others linear. A file without
-/// faces gives an empty mesh and a warning. Throws InputError with the place in the file ("element vertex, row 17";
-/// the first row is 0) when it is truncated, its counts lie, an index is out of range, or a position is not finite.
+/// faces gives an empty mesh and a warning. Throws InputError with the place in the file ("element vertex, row 17"; the
+/// first row is 0) when it is truncated, its counts lie, an index is out of range, or a position is not finite.
 Mesh load_ply(const std::filesystem::path& path, const PlyOptions& options, std::vector<std::string>& warnings);
 
 }  // namespace candil
