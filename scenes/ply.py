@@ -25,13 +25,19 @@ def write_ply(path, positions, triangles, normals=None, comment=None):
 
 
 def read_ply(path):
-    """Positions and triangles (polygons as fans); everything else in the file is skipped."""
-    data = path.read_bytes()
+    """Positions and triangles (polygons as fans); everything else in the file is skipped. Throws ValueError."""
+    try:
+        return parse_ply(path.read_bytes())
+    except (ValueError, LookupError, StopIteration, struct.error) as error:
+        raise ValueError(f"{path}: cannot be read as PLY: {error!r}") from error
+
+
+def parse_ply(data):
     end = data.index(b"end_header")
     body = data.index(b"\n", end) + 1
     lines = [line.split() for line in data[:end].decode("latin-1").splitlines()]
     if lines[0] != ["ply"]:
-        raise ValueError(f"{path}: is not a PLY file")
+        raise ValueError("no PLY header")
     encoding = next(line[1] for line in lines if line[:1] == ["format"])
     elements = []
     for line in lines:
