@@ -1,6 +1,7 @@
 """Renders pictures and takes measurements, and keeps what was found in docs/gallery/results.json."""
 
 import json
+import os
 import tempfile
 import time
 from pathlib import Path
@@ -21,7 +22,7 @@ class Gallery:
         self.file = folder / "results.json"
         self.results = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.run = {"quality": quality.name, "processor": processor(), "threads": processor_count(),
-                    "candil": program.version()}
+                    "candil": program.version(), "load": round(os.getloadavg()[0], 1)}
         self.done = set()
         self.scratch = tempfile.TemporaryDirectory()
         self.linear = {}  # scenes of high dynamic range that are rendered already: their file, what --stats tells
@@ -74,4 +75,4 @@ class Gallery:
             stats = self.program.render(panel.scene, [png], size, spp, panel.options)
         plots.write_jpeg(png, self.folder / f"{panel.name}.jpg")
         return {"size": size, "spp": spp, "seconds": stats["render_seconds"], "paths": stats["samples"],
-                "triangles": stats["scene"]["instanced_triangles"]}
+                "has_stand_in": self.program.has_stand_in(panel.scene)}

@@ -13,7 +13,8 @@ larger pictures with less noise; `./dev gallery 5 7 comparison` makes some figur
 
 Times are those of rendering alone, without loading. A path is one sample of one pixel; ppp is paths per pixel. The
 report does not tell the size of its pictures, its processor, or (but for its table 1) its number of threads. So its
-speed is known in ppp per second, not in paths per second: [below](#ours-beside-the-reports) are both.
+speed is known in ppp per second, not in paths per second: [below](#ours-beside-the-reports) are both. A load average
+well above 0 before the run means that other programs were at work, and times are too long.
 """
 
 DIFFERENCES = """What differs: the processor and how many of its threads, the size of the pictures, the models and the
@@ -22,12 +23,12 @@ here, a hierarchy of their own there), five years of compilers. The last column 
 square pictures would need for both to be equally fast: if theirs were smaller, candil is the faster one."""
 
 COMPARISON = """`--integrator classic` is the estimator of the report: a roulette chooses a lobe or absorbs, point
-lights are sampled at each hit, area lights are found by chance. `path` samples a light of any kind at each hit and weighs that
-against finding it by chance. Both get the same scene ({size} pixels) and as many paths as fit into the same time, which
-is measured first. The error is the relative MSE, the mean of (x - r)^2 / (r^2 + 0.01) over all pixels and channels,
-nothing trimmed, against r rendered by `path` with {reference_spp} paths per pixel and another seed; median of {seeds}
-seeds, which take turns. The ratio says how many times larger the error of `classic` is at equal time (what is left of a
-difference in time is made up for in proportion)."""
+lights are sampled at each hit, area lights are found by chance. `path` samples a light of any kind at each hit and
+weighs that against finding it by chance. Both get the same scene ({size} pixels) and as many paths as fit into the
+same time, which is measured first. The error is the relative MSE, the mean of (x - r)^2 / (r^2 + 0.01) over all
+pixels and channels, nothing trimmed, against r rendered by `path` with {reference_spp} paths per pixel and another
+seed; median of {seeds} seeds, which take turns. The ratio says how many times larger the error of `classic` is at
+equal time (what is left of a difference in time is made up for in proportion)."""
 
 MISSING_HELP = "`./dev models` fetches or makes the models that are not in the repository"
 WIDTH = 120
@@ -85,8 +86,9 @@ def _times(figure, results):
             reason = result["missing"] + (f"; {MISSING_HELP}" if "run" in result else "")
             missing.setdefault(reason, []).append(f"`{panel.name}`")
             continue
-        row = [f"`{panel.scene}`" + (f", {panel.label}" if panel.label else ""), result["spp"], _size(result["size"]),
-               _time(result["seconds"]), f"{result['paths'] / result['seconds'] / 1e6:.2f}"]
+        name = ", ".join(filter(None, (f"`{panel.scene}`", panel.label, "stand-in model" * result["has_stand_in"])))
+        row = [name, result["spp"], _size(result["size"]), _time(result["seconds"]),
+               f"{result['paths'] / result['seconds'] / 1e6:.2f}"]
         rows.append(row + [_report_time(panel.report)] * has_report)
     header = ["Scene", "Paths per pixel", "Size", "Time", "Million paths/s"] + ["Report"] * has_report
     table = _table(header, rows, _right(1, len(header) - 1)) if rows else ""
@@ -171,7 +173,8 @@ def _runs(results):
     for name, result in results.items():
         run = result.get("run")
         if run:
-            line = (f"`--{run['quality']}` on {run['processor']}, {_threads(run['threads'])}; {run['candil']}")
+            line = (f"`--{run['quality']}` on {run['processor']}, {_threads(run['threads'])}, load average before "
+                    f"{run['load']}; {run['candil']}")
             made.setdefault(line, []).append(name)
     if len(made) == 1:
         return _paragraph(f"This page: {next(iter(made))}.")

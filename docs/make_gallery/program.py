@@ -44,6 +44,11 @@ class Program:
                 raise Unusable(str(error).replace(f"{self.scenes}{os.sep}", "")) from None
             return json.loads(stats.read_text())
 
+    def has_stand_in(self, scene):
+        """Whether `./dev models` had to make up a model of the scene: the comment of its file says so."""
+        models = re.findall(r'"(models/[^"]+)"', (self.scenes / scene).read_text())
+        return any(b"stand-in" in (self.scenes / model).read_bytes()[:200] for model in models)
+
     def tonemap(self, image, output, operator):
         self._run("tonemap", image, "-o", output, "--operator", operator, "--quiet")
 

@@ -15,6 +15,7 @@ sys.path.insert(0, str(SCRIPTS))
 import errors  # noqa: E402
 import figures  # noqa: E402
 import markdown  # noqa: E402
+import program  # noqa: E402
 
 
 def gallery(folder, *arguments):
@@ -61,6 +62,17 @@ class Errors(unittest.TestCase):
         self.assertEqual(errors.relative_mse([3, 0], [3, 0]), 0)
 
 
+class StandIns(unittest.TestCase):
+    def test_are_told_by_the_comment_of_their_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scenes = Path(folder)
+            (scenes / "models").mkdir()
+            (scenes / "fig.json").write_text('{"objects": [{"type": "ply", "file": "models/bunny.ply"}]}')
+            for comment, expected in (("comment a stand-in\n", True), ("", False)):
+                (scenes / "models/bunny.ply").write_text(f"ply\nformat ascii 1.0\n{comment}element vertex 0\n")
+                self.assertEqual(program.Program(CANDIL, scenes).has_stand_in("fig.json"), expected)
+
+
 class Run(unittest.TestCase):
     def test_renders_figures_and_tells_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -89,7 +101,7 @@ class Run(unittest.TestCase):
 
 class Page(unittest.TestCase):
     def test_shows_measurements(self):
-        run = {"quality": "quick", "processor": "a processor", "threads": 2, "candil": "candil 1"}
+        run = {"quality": "quick", "processor": "a processor", "threads": 2, "load": 0.1, "candil": "candil 1"}
         seconds = [[16, 1.0], [64, 4.0], [256, 16.0], [1024, 64.0]]
         cases = [{"integrator": "path", "light": "area", "threads": threads, "seconds": seconds} for threads in (1, 2)]
         row = {"path": {"spp": 16, "seconds": 1, "relative_mse": 0.01},
