@@ -28,8 +28,9 @@ FIGURES = (
            "the number of paths grows.",
            path_counts(1, "fig01_box.json")),
     Figure(2, "Time against paths per pixel",
-           "The box of figure 1 with its area light. The time is proportional to the number of paths; the dashed lines "
-           "are the report's measurements (table 1) on its own machine, for pictures whose size it does not tell.",
+           "The box of figure 1 with its area light. The dashed lines are the report's measurements (table 1) on its "
+           "own machine, for pictures whose size it does not tell: the slopes compare, the heights do not. Both grow in "
+           "proportion to the number of paths.",
            drawing="fig02_time.svg"),
     Figure(3, "Area light and point light",
            "In the report a point light costs nearly twice the time of an area light, because only point lights are "

@@ -30,7 +30,8 @@ class Gallery:
     def keep(self, name, result):
         self.results[name] = {**result, "run": self.run}
         self.done.add(name)
-        self.file.write_text(json.dumps(self.results, indent=1, sort_keys=True) + "\n")
+        lines = (f"{json.dumps(key)}: {json.dumps(value)}" for key, value in sorted(self.results.items()))
+        self.file.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
     def attempt(self, name, work):
         """Keeps what work() returns, or why it could not be done."""
@@ -41,6 +42,7 @@ class Gallery:
             self.keep(name, work())
         except Unusable as error:
             self.keep(name, {"missing": str(error)})
+            (self.folder / f"{name}.jpg").unlink(missing_ok=True)
         self.say(f"{name}: {time.monotonic() - begin:.1f} s")
 
     def make(self, figure):
@@ -50,7 +52,8 @@ class Gallery:
             name = DRAWINGS[figure.drawing]
             self.attempt(name, lambda: self.measurement(name))
             if "missing" not in self.results[name]:
-                plots.DRAW[figure.drawing](self.results[name], self.folder / figure.drawing)
+                for drawing in (drawing for drawing, shown in DRAWINGS.items() if shown == name):
+                    plots.DRAW[drawing](self.results[name], self.folder / drawing)
 
     def measurement(self, name):
         if name == "timing":

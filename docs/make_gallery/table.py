@@ -52,7 +52,7 @@ class Quality:
 
 
 QUALITIES = {
-    "quick": Quality("quick", 0.5, 1 / 8, 0.3125, 64, 3, 64, (16, 64, 256), 5, 8192),
+    "quick": Quality("quick", 0.5, 1 / 8, 0.3125, 48, 3, 64, (16, 64), 5, 4096),
     "good": Quality("good", 1, 1, 1, 128, 5, 128, (16, 64, 256), 9, 16384),
     "overnight": Quality("overnight", 1.5, 4, 1.5, 256, 9, 256, (16, 64, 256, 1024), 9, 65536),
 }
