@@ -29,7 +29,7 @@ FIGURES = (
            path_counts(1, "fig01_box.json")),
     Figure(2, "Time against paths per pixel",
            "The box of figure 1 with its area light. The dashed lines are the report's measurements (table 1) on its "
-           "own machine, for pictures whose size it does not tell: the slopes compare, the heights do not. Both grow in "
+           "own machine, for pictures whose size it does not tell: slopes compare, heights do not. Both grow in "
            "proportion to the number of paths.",
            drawing="fig02_time.svg"),
     Figure(3, "Area light and point light",
@@ -62,7 +62,8 @@ FIGURES = (
            (Panel("fig12", "", "fig12_color_bleeding.json", WIDE),)),
     Figure(13, "Clamp", "Figures 13 to 17 and 22 are one render with high dynamic range, shown by `candil tonemap`. "
            "Clamping cuts what is above 1.", operator(13, "clamp", "clamp")),
-    Figure(14, "Equalize", "Divided by the largest value of the picture.", operator(14, "equalize", "equalize")),
+    Figure(14, "Equalize", "Divided by the largest value of the picture: beside a bright lamp the rest is black.",
+           operator(14, "equalize", "equalize")),
     Figure(15, "Equalize and clamp", "What reaches 0.78 of the largest value is white.",
            operator(15, "equalize-clamp, 0.78", "equalize-clamp")),
     Figure(16, "Gamma", "A gamma curve of 2.2 in place of the sRGB curve; 1 is white.",
