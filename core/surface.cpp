@@ -33,18 +33,17 @@ struct Place {
 };
 
 /// Carries a place of an object to the world. Normals go like M^-T up to a positive factor (see normal_matrix()).
-Place to_world(const Affine& transform, const Place& place) {
+void carry_to_world(const Affine& transform, Place& place) {
   const Float4x3 m(transform.linear);
   const Float4 yz = cross(m.y, m.z), translation = to_lanes(transform.translation);
   const float side = dot(m.x, yz) < 0 ? -1.0f : 1.0f;
   const Float4x3 normals(side * yz, side * cross(m.z, m.x), side * cross(m.x, m.y));
   const Float4 row_sums = absolute(m.x) + absolute(m.y) + absolute(m.z);
-  return {m * place.position + translation,
-          normals * place.normal_geometric,
-          normals * place.normal,
-          m * place.lift,
-          row_sums * max_component(place.magnitude) + absolute(translation),
-          place.is_smooth};
+  place.position = m * place.position + translation;
+  place.normal_geometric = normals * place.normal_geometric;
+  place.normal = normals * place.normal;
+  place.lift = m * place.lift;
+  place.magnitude = row_sums * max_component(place.magnitude) + absolute(translation);
 }
 
 struct Corners {
@@ -80,10 +79,7 @@ Vec4 interpolate_tangent(const Mesh& mesh, const Triangle& triangle, Vec3 weight
   return Vec4(to_vec3(normalize_or(direction, Float4{})), is_mirrored ? -tangent.w : tangent.w);
 }
 
-}  // namespace
-
-SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
-  if (hit.is_shape()) return shape_surface_point(scene, hit.triangle, hit.barycentric);
+SurfacePoint triangle_surface_point(const Scene& scene, const Hit& hit) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const Instance& instance = scene.instances[hit.instance];
   const Triangle triangle = mesh.triangles[hit.triangle];
@@ -103,7 +99,7 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
     if (place.is_smooth) place.lift = lift_to_smooth_surface(place.position, corners, weights);
   }
   place.magnitude = maximum(absolute(a), maximum(absolute(b), absolute(c)));
-  if (!instance.is_world_space) place = to_world(instance.to_world, place);
+  if (!instance.is_world_space) carry_to_world(instance.to_world, place);
 
   SurfacePoint point;
   point.instance = hit.instance;
@@ -126,6 +122,14 @@ SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
   }
   if (!mesh.colors.empty()) point.color = interpolate(mesh.colors, triangle, weights);
   return point;
+}
+
+}  // namespace
+
+// One call for each kind and nothing else: a function that returns now one object, now another, builds and copies it.
+SurfacePoint make_surface_point(const Scene& scene, const Hit& hit) {
+  return hit.is_shape() ? shape_surface_point(scene, hit.triangle, hit.barycentric)
+                        : triangle_surface_point(scene, hit);
 }
 
 Vec2 first_texture_coordinates(const Scene& scene, const Hit& hit) {

@@ -41,7 +41,7 @@ inline Vec3 sample_cosine_hemisphere(Vec2 u) {
   const Vec2 d = sample_disc(u);
   return {d.x, d.y, safe_sqrt(1 - d.x * d.x - d.y * d.y)};
 }
-inline float pdf_cosine_hemisphere(float cos_theta) { return glm::max(0.0f, cos_theta) / pi; }
+inline float pdf_cosine_hemisphere(float cos_theta) { return glm::max(0.0f, cos_theta) * (1 / pi); }
 
 /// Sphere, uniform: density 1/(4 pi) per steradian.
 inline Vec3 sample_sphere(Vec2 u) {

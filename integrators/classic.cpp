@@ -60,14 +60,14 @@ PathSample trace_classic(const RenderContext& context, const RenderSettings& set
 
     face_viewer(point, wo);
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
-    const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
+    const VertexSamples u(sampler, state.bounce);
     const float survival = glm::min(bsdf.survival_probability(), most_likely_survival);
-    if (!(u.roulette < survival)) break;  // absorbed
+    if (!(u.roulette() < survival)) break;  // absorbed
     state.throughput /= survival;
     if (!bsdf.is_purely_delta()) {
       state.radiance += state.throughput * punctual_light(context, point, bsdf, wo, state.medium, rays);
     }
-    if (!scatter(state, context.scene, point, bsdf, u.lobe, u.direction)) break;
+    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction())) break;
     ++rays.bounce;
   }
   return {state.radiance, 1};

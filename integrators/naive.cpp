@@ -25,9 +25,9 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
     if (state.bounce >= settings.max_bounces) break;
     face_viewer(point, wo);
     const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
-    const VertexSamples u = draw_vertex_samples(sampler, state.bounce);
-    if (!scatter(state, context.scene, point, bsdf, u.lobe, u.direction)) break;
-    if (!survives_roulette(state, u.roulette)) break;
+    const VertexSamples u(sampler, state.bounce);
+    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction())) break;
+    if (!survives_roulette(state, u.roulette())) break;
     ++rays.bounce;
   }
   return {state.radiance, 1};

@@ -5,6 +5,7 @@
 // Paths know nothing of each other, and each computes exactly what it would compute alone.
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "core/emission.h"
 #include "integrators/path_state.h"
@@ -66,10 +67,14 @@ class Batch {
       active = {};
       for (std::size_t k = 0; k < hits.count; ++k) {
         const std::uint8_t i = hits.ids[k];
-        numbers_[k] = draw_vertex_samples(samples_[i].sampler, lanes_[i].state.bounce);
+        numbers_[k] = VertexSamples(samples_[i].sampler, lanes_[i].state.bounce);
       }
       for (std::size_t k = 0; k < hits.count; ++k) {
-        if (shade(hits.ids[k], hits_[k], numbers_[k], shadows)) active.add(hits.ids[k]);
+        // In place: a copy would wait for the stores.
+        ::new (&points_[k]) SurfacePoint(make_surface_point(scene_, hits_[k]));
+      }
+      for (std::size_t k = 0; k < hits.count; ++k) {
+        if (shade(hits.ids[k], hits_[k].t, points_[k], numbers_[k], shadows)) active.add(hits.ids[k]);
       }
       trace_shadow_rays(shadows);
       rays_.bounce += active.count;
@@ -105,12 +110,10 @@ class Batch {
   }
 
   /// Collects what the surface emits, chooses a light, and turns the path to its next direction; false when it ends.
-  bool shade(std::uint8_t i, const Hit& hit, const VertexSamples& u, LaneList& shadows) {
+  bool shade(std::uint8_t i, float distance, SurfacePoint& point, const VertexSamples& u, LaneList& shadows) {
     Lane& lane = lanes_[i];
     PathState& state = lane.state;
-    if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene_, state.medium, hit.t);
-
-    SurfacePoint point = make_surface_point(scene_, hit);
+    if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene_, state.medium, distance);
     const Vec3 wo = -state.ray.direction;
     const Vec3 emitted = emitted_radiance(scene_, point, glm::dot(wo, point.normal_geometric) > 0);
     if (!is_black(emitted)) {
@@ -124,12 +127,12 @@ class Batch {
     if (!bsdf.is_purely_delta() && !context_.lights.is_empty() && choose_light(lane, point, bsdf, wo, u)) {
       shadows.add(i);
     }
-    return scatter(state, scene_, point, bsdf, u.lobe, u.direction) && survives_roulette(state, u.roulette);
+    return scatter(state, scene_, point, bsdf, u.lobe(), u.direction()) && survives_roulette(state, u.roulette());
   }
 
   /// Next-event estimation up to the shadow ray; false when no light can come this way.
   bool choose_light(Lane& lane, const SurfacePoint& point, const Bsdf& bsdf, Vec3 wo, const VertexSamples& u) const {
-    const std::optional<LightSample> light = context_.lights.sample(point, u.light_choice, u.light);
+    const std::optional<LightSample> light = context_.lights.sample(point, u.light_choice(), u.light());
     if (!light || is_black(light->radiance)) return false;
     const BsdfEval scattered = bsdf.eval(wo, light->wi);
     if (is_black(scattered.f_cos)) return false;
@@ -159,6 +162,7 @@ class Batch {
   // Of the paths in hand, without gaps.
   std::array<Ray, batch_size> next_rays_;
   std::array<Hit, batch_size> hits_;
+  std::array<SurfacePoint, batch_size> points_;
   std::array<VertexSamples, batch_size> numbers_;
 };
 

@@ -21,19 +21,27 @@ struct PathState {
 
 /// The random numbers of a vertex, drawn together: a path uses the same ones for the same purpose whatever happens on
 /// it.
-struct VertexSamples {
-  Vec2 light;           ///< Point on the light.
-  double light_choice;  ///< Which light: 48 random bits, for scenes with a million of them.
-  float lobe;           ///< Which lobe of the closure.
-  Vec2 direction;       ///< Of the closure's sample.
-  float roulette;
-};
+class VertexSamples {
+ public:
+  VertexSamples() = default;
+  VertexSamples(const Sampler& sampler, std::uint32_t bounce)
+      : points_(sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex)) {}
 
-inline VertexSamples draw_vertex_samples(const Sampler& sampler, std::uint32_t bounce) {
-  const FourPoints u = sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex);
-  const double light_choice = static_cast<double>(u[1].x) + 0x1p-24 * static_cast<double>(u[3].y);
-  return {u[0], light_choice, u[1].y, u[2], u[3].x};
-}
+  /// Point on the light.
+  Vec2 light() const { return points_[0]; }
+  /// Which light: 48 random bits, for scenes with a million of them.
+  double light_choice() const {
+    return static_cast<double>(points_[1].x) + 0x1p-24 * static_cast<double>(points_[3].y);
+  }
+  /// Which lobe of the closure.
+  float lobe() const { return points_[1].y; }
+  /// Of the closure's sample.
+  Vec2 direction() const { return points_[2]; }
+  float roulette() const { return points_[3].x; }
+
+ private:
+  FourPoints points_;  // as they come: taken apart where they are used
+};
 
 /// What is left of light after `distance` metres in the volume of a material: Beer-Lambert with the attenuation colour
 /// reached at the attenuation distance (KHR_materials_volume).
