@@ -87,16 +87,12 @@ class Batch {
   /// of the k-th path returned is hits_[k].
   LaneList intersect(const LaneList& active, std::span<PathSample> results) {
     for (std::size_t k = 0; k < active.count; ++k) next_rays_[k] = lanes_[active.ids[k]].state.ray;
-    context_.accelerator.intersect_each(std::span(next_rays_).first(active.count), hits_);
-    for (std::size_t k = 0; k < active.count; ++k) {
-      if (!hits_[k].is_miss()) prefetch_triangle(scene_, hits_[k]);
-    }
+    find_hits(active.count);
     LaneList hits;
     for (std::size_t k = 0; k < active.count; ++k) {
       const std::uint8_t i = active.ids[k];
       PathState& state = lanes_[i].state;
       if (!hits_[k].is_miss()) {
-        prefetch_surface_point(scene_, hits_[k]);
         hits_[hits.count] = hits_[k];
         hits.add(i);
       } else if (state.bounce == 0 && settings_.transparent_background) {
@@ -107,6 +103,25 @@ class Batch {
       }
     }
     return hits;
+  }
+
+  /// Shoots the first `count` next_rays_, a group at a time: the triangles that one group hits are fetched while the
+  /// next one is under way, and their vertices during the one after that.
+  void find_hits(std::size_t count) {
+    constexpr std::size_t group_size = 4;
+    const auto for_hits = [&](std::size_t first, const auto& prefetch) {
+      for (std::size_t k = first; k < std::min(first + group_size, count); ++k) {
+        if (!hits_[k].is_miss()) prefetch(scene_, hits_[k]);
+      }
+    };
+    for (std::size_t first = 0; first < count; first += group_size) {
+      const std::size_t size = std::min(group_size, count - first);
+      context_.accelerator.intersect_each(std::span(next_rays_).subspan(first, size),
+                                          std::span(hits_).subspan(first, size));
+      for_hits(first, prefetch_triangle);
+      if (first > 0) for_hits(first - group_size, prefetch_surface_point);
+    }
+    for_hits((count - 1) / group_size * group_size, prefetch_surface_point);
   }
 
   /// Collects what the surface emits, chooses a light, and turns the path to its next direction; false when it ends.
