@@ -1,0 +1,150 @@
+#include "tests/render/golden.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "io/image_file.h"
+
+namespace candil::test {
+namespace {
+
+constexpr int channels = 3;
+constexpr int block_size = 8;
+/// Values that do not vary at all may still differ in their last bits, and are stored rounded.
+constexpr float smallest_spread = 0x1p-11f;
+
+float compressed(float radiance) { return radiance / (1 + radiance); }
+
+Image compressed(const Image& radiance) {
+  Image result(radiance.width, radiance.height, channels);
+  for (int y = 0; y < radiance.height; ++y) {
+    for (int x = 0; x < radiance.width; ++x)
+      std::transform(radiance.pixel(x, y), radiance.pixel(x, y) + channels, result.pixel(x, y),
+                     [](float value) { return compressed(value); });
+  }
+  return result;
+}
+
+float median(std::vector<float> values) {
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+/// Median plus six times the standard deviation that the median distance from it stands for.
+float cut_limit(const std::vector<float>& values) {
+  const float middle = median(values);
+  std::vector<float> distances(values.size());
+  std::transform(values.begin(), values.end(), distances.begin(), [&](float v) { return std::abs(v - middle); });
+  return middle + 6 * std::max(1.4826f * median(std::move(distances)), smallest_spread);
+}
+
+/// To the nearest float of `bits` significant bits.
+float rounded(float value, int bits) {
+  const std::uint32_t dropped = 24 - bits;
+  const std::uint32_t half = 1u << (dropped - 1);
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) + half) & ~((1u << dropped) - 1));
+}
+
+/// Sums over a set of pixels of one channel.
+struct Score {
+  double difference = 0, variance = 0, variance_squared = 0;
+
+  void add(double pixel_difference, double pixel_variance) {
+    difference += pixel_difference;
+    variance += pixel_variance;
+    variance_squared += pixel_variance * pixel_variance;
+  }
+  /// The sum's Student t with the degrees of freedom of Welch and Satterthwaite, as a normal deviate (D. L. Wallace,
+  /// Bounds on normal approximations to Student's and the chi-square distributions, 1959).
+  double normal_deviate() const {
+    const double freedom = (golden_replicates - 1) * variance * variance / variance_squared;
+    const double t_squared = difference * difference / variance;
+    return (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(t_squared / freedom));
+  }
+};
+
+}  // namespace
+
+Golden make_golden(const std::function<Image(std::uint64_t seed)>& replicate) {
+  std::vector<Image> replicates;
+  for (int seed = 1; seed <= golden_replicates; ++seed) replicates.push_back(compressed(replicate(seed)));
+  const Image& first = replicates.front();
+  const Image black(first.width, first.height, channels);
+  Golden golden{black, black, black};
+  std::vector<float> values(golden_replicates);
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    std::transform(replicates.begin(), replicates.end(), values.begin(), [&](const Image& r) { return r.pixels[i]; });
+    const float limit = rounded(cut_limit(values), 8);
+    double sum = 0, squares = 0;
+    for (float& value : values) sum += value = std::min(value, limit);
+    const double mean = sum / golden_replicates;
+    for (const float value : values) squares += (value - mean) * (value - mean);
+    golden.mean.pixels[i] = rounded(static_cast<float>(mean), 11);
+    golden.spread.pixels[i] = rounded(static_cast<float>(std::sqrt(squares / (golden_replicates - 1))), 8);
+    golden.limit.pixels[i] = limit;
+  }
+  return golden;
+}
+
+void write_golden(const std::filesystem::path& path, const Golden& golden) {
+  Image stacked(golden.mean.width, 3 * golden.mean.height, channels);
+  auto end = std::copy(golden.mean.pixels.begin(), golden.mean.pixels.end(), stacked.pixels.begin());
+  end = std::copy(golden.spread.pixels.begin(), golden.spread.pixels.end(), end);
+  std::copy(golden.limit.pixels.begin(), golden.limit.pixels.end(), end);
+  write_image(path, stacked, false, {{"candil:golden", "mean, spread and limit of radiance / (1 + radiance)"}});
+}
+
+Golden read_golden(const std::filesystem::path& path) {
+  const Image stacked = read_image(path);
+  if (stacked.channels != channels || stacked.height % 3 != 0)
+    throw std::runtime_error(path.string() + ": is not a golden image");
+  const auto part = [&](int index) {
+    Image image(stacked.width, stacked.height / 3, channels);
+    std::copy_n(stacked.pixels.begin() + index * static_cast<std::ptrdiff_t>(image.pixels.size()), image.pixels.size(),
+                image.pixels.begin());
+    return image;
+  };
+  return {part(0), part(1), part(2)};
+}
+
+Deviation deviation(const Golden& golden, const Image& render) {
+  if (render.width != golden.mean.width || render.height != golden.mean.height)
+    throw std::runtime_error("the golden image has another size");
+  const Image values = compressed(render);
+  const int width = values.width, height = values.height;
+  Deviation result;
+  std::array<Score, channels> image{};
+  std::vector<char> is_outlier(static_cast<std::size_t>(width) * height);
+  for (int top = 0; top < height; top += block_size) {
+    for (int left = 0; left < width; left += block_size) {
+      std::array<Score, channels> block{};
+      for (int y = top; y < std::min(top + block_size, height); ++y) {
+        for (int x = left; x < std::min(left + block_size, width); ++x) {
+          for (int c = 0; c < channels; ++c) {
+            const double value = std::min(values.pixel(x, y)[c], golden.limit.pixel(x, y)[c]);
+            const double difference = value - golden.mean.pixel(x, y)[c];
+            const double spread = golden.spread.pixel(x, y)[c];
+            // Of the render's value, and of the mean of the replicates.
+            const double variance =
+                (spread * spread + smallest_spread * smallest_spread) * (1 + 1.0 / golden_replicates);
+            block[c].add(difference, variance), image[c].add(difference, variance);
+            if (difference * difference > 25 * variance) is_outlier[static_cast<std::size_t>(y) * width + x] = 1;
+          }
+        }
+      }
+      for (int c = 0; c < channels; ++c) {
+        if (const double score = block[c].normal_deviate(); score > result.block)
+          result.block = score,
+          result.where = "pixels from (" + std::to_string(left) + ", " + std::to_string(top) + "), channel " + "RGB"[c];
+      }
+    }
+  }
+  for (const Score& score : image) result.image = std::max(result.image, score.normal_deviate());
+  result.outlier_share = static_cast<double>(std::count(is_outlier.begin(), is_outlier.end(), 1)) / is_outlier.size();
+  return result;
+}
+
+}  // namespace candil::test
