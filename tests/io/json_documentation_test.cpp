@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/error.h"
 #include "io/image_file.h"
 #include "io/json_schema.h"
 #include "tests/io/gltf_sample.h"
@@ -88,7 +89,12 @@ TEST(ReportScenes, LoadAndNameTheSchema) {
     const nlohmann::json root = nlohmann::json::parse(read_text(entry.path()), nullptr, true, true);
     const std::filesystem::path schema = entry.path().parent_path() / root.value("$schema", "missing");
     EXPECT_TRUE(std::filesystem::equivalent(schema, scenes / "candil-scene.schema.json")) << entry.path();
-    EXPECT_NO_THROW({ EXPECT_TRUE(load_scene(entry.path()).warnings.empty()); }) << entry.path();
+    try {
+      EXPECT_TRUE(load_scene(entry.path()).warnings.empty()) << entry.path();
+    } catch (const InputError& error) {
+      const std::string message = error.what();  // models that are fetched or made (./dev models) may be missing
+      EXPECT_TRUE(message.find("\"models/") != message.npos && message.ends_with("does not exist")) << message;
+    }
   }
   EXPECT_GE(count, 30);
 }
