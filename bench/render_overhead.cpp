@@ -1,6 +1,6 @@
-// How close a render comes to the limit that the accelerator sets: rays per second of whole renders beside a bare
-// replay of exactly the rays that they shot. Prints the median of several interleaved rounds, so that drift of the
-// machine cancels.
+// How close a render comes to the limit: rays per second of whole renders beside two replays of exactly the rays that
+// they shot, one through our accelerator and one straight through Embree. Prints the median of several interleaved
+// rounds, so that drift of the machine cancels.
 //   render_overhead SCENE [SAMPLES_PER_PIXEL [ROUNDS]]
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -13,6 +13,7 @@
 #include <mutex>
 #include <vector>
 
+#include "bench/bare_embree.h"
 #include "core/camera.h"
 #include "core/studio.h"
 #include "integrators/render.h"
@@ -64,29 +65,46 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Shoots the recorded rays again and nothing else; the result keeps the compiler from leaving them out.
-std::uint64_t replay(const Accelerator& accelerator, const Recording& recording, int threads) {
+/// Calls `shoot(first, end)` for parts of the recording on that many threads; it answers how many rays hit, which keeps
+/// the compiler from leaving them out.
+std::uint64_t replay(const Recording& recording, int threads, const auto& shoot) {
   std::atomic<std::uint64_t> hits{0};
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, recording.rays.size(), 1 << 14), [&](const auto& range) {
-      std::uint64_t found = 0;
-      std::array<Hit, 64> answers;
-      for (std::size_t i = range.begin(); i < range.end();) {
-        if (recording.is_shadow[i]) {
-          found += accelerator.occluded(recording.rays[i++]);
-          continue;
-        }
-        std::size_t count = 1;
-        while (count < answers.size() && i + count < range.end() && !recording.is_shadow[i + count]) ++count;
-        accelerator.intersect_each({&recording.rays[i], count}, answers);
-        for (std::size_t k = 0; k < count; ++k) found += !answers[k].is_miss();
-        i += count;
-      }
-      hits += found;
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, recording.rays.size(), 1 << 14),
+                      [&](const auto& range) { hits += shoot(range.begin(), range.end()); });
   });
   return hits;
+}
+
+/// Part of a recording through the accelerator.
+std::uint64_t shoot(const Accelerator& accelerator, const Recording& recording, std::size_t i, std::size_t end) {
+  std::uint64_t found = 0;
+  std::array<Hit, 64> answers;
+  while (i < end) {
+    if (recording.is_shadow[i]) {
+      found += accelerator.occluded(recording.rays[i++]);
+      continue;
+    }
+    std::size_t count = 1;
+    while (count < answers.size() && i + count < end && !recording.is_shadow[i + count]) ++count;
+    accelerator.intersect_each({&recording.rays[i], count}, answers);
+    for (std::size_t k = 0; k < count; ++k) found += !answers[k].is_miss();
+    i += count;
+  }
+  return found;
+}
+
+/// Seconds of each round.
+struct Times {
+  std::vector<double> render, replay, bare;
+};
+
+/// Median over the rounds of one time divided by the other.
+double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
+  return median(ratios);
 }
 
 }  // namespace
@@ -114,26 +132,39 @@ int main(int argc, char** argv) {
     render({scene, recorder, lights, tables}, camera, settings);
     const auto ray_count = static_cast<double>(recorder.recording().rays.size());
 
-    double one_thread = 0;
-    for (const int threads : {1, 2}) {
-      settings.threads = threads;
-      std::vector<double> rendering, replaying, ratios;
-      std::uint64_t hits = 0;
-      for (int round = 0; round < rounds; ++round) {
-        rendering.push_back(seconds_of([&] { render({scene, *accelerator, lights, tables}, camera, settings); }));
-        replaying.push_back(seconds_of([&] { hits += replay(*accelerator, recorder.recording(), threads); }));
-        ratios.push_back(replaying.back() / rendering.back());
+    const std::optional<BareEmbree> bare = BareEmbree::make(scene);
+    const Recording& recording = recorder.recording();
+    const auto shoot_replay = [&](std::size_t first, std::size_t end) {
+      return shoot(*accelerator, recording, first, end);
+    };
+    const auto shoot_bare = [&](std::size_t first, std::size_t end) {
+      return bare->shoot(std::span(recording.rays).subspan(first, end - first), recording.is_shadow, first);
+    };
+    std::array<Times, 2> times;  // of 1 and 2 threads, in turn
+    for (int round = 0; round < rounds; ++round) {
+      for (const int threads : {1, 2}) {
+        settings.threads = threads;
+        Times& t = times[threads - 1];
+        std::uint64_t hits = 0;
+        t.render.push_back(seconds_of([&] { render({scene, *accelerator, lights, tables}, camera, settings); }));
+        t.replay.push_back(seconds_of([&] { hits += replay(recording, threads, shoot_replay); }));
+        if (bare) t.bare.push_back(seconds_of([&] { hits += replay(recording, threads, shoot_bare); }));
+        if (hits == 0) std::printf("nothing was hit\n");
       }
-      std::printf(
-          "%d thread%s: render %.2f Mrays/s (%.2f Msamples/s), bare replay %.2f Mrays/s, ratio %.3f (%llu hits)\n",
-          threads, threads > 1 ? "s" : "", ray_count / median(rendering) / 1e6,
-          65536.0 * settings.samples_per_pixel / median(rendering) / 1e6, ray_count / median(replaying) / 1e6,
-          median(ratios), static_cast<unsigned long long>(hits));
-      if (threads == 1)
-        one_thread = median(rendering);
-      else
-        std::printf("2 threads render %.2f times as fast as 1\n", one_thread / median(rendering));
     }
+    for (const int threads : {1, 2}) {
+      const Times& t = times[threads - 1];
+      const double render_time = median(t.render);
+      std::printf("%d thread%s: render %.2f Mrays/s (%.2f Msamples/s); replay %.2f Mrays/s, ratio %.3f", threads,
+                  threads > 1 ? "s" : "", ray_count / render_time / 1e6,
+                  65536.0 * settings.samples_per_pixel / render_time / 1e6, ray_count / median(t.replay) / 1e6,
+                  median_ratio(t.replay, t.render));
+      if (bare)
+        std::printf("; bare Embree %.2f Mrays/s, ratio %.3f", ray_count / median(t.bare) / 1e6,
+                    median_ratio(t.bare, t.render));
+      std::printf("\n");
+    }
+    std::printf("2 threads render %.2f times as fast as 1\n", median_ratio(times[0].render, times[1].render));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 3;
