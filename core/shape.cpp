@@ -45,11 +45,11 @@ ShapeIntersector::ShapeIntersector(const Shape& shape)
       origin_(shape.to_world.translation) {}
 
 ShapeCrossings ShapeIntersector::crossings(const Ray& ray, float t_max) const {
-  const glm::dvec3 origin = to_local_ * (glm::dvec3(ray.origin) - origin_);
-  const glm::dvec3 direction = to_local_ * glm::dvec3(ray.direction);
+  const glm::dvec3 from_origin = glm::dvec3(ray.origin) - origin_, towards(ray.direction);
   const double t_end = std::min<double>(t_max, std::numeric_limits<float>::max());
   ShapeCrossings found;
   if (kind_ == ShapeKind::sphere) {
+    const glm::dvec3 origin = to_local_ * from_origin, direction = to_local_ * towards;
     // From the point of the line that is nearest to the centre: no cancellation however far the origin is (Haines et
     // al. 2019, "Precision Improvements for Ray/Sphere Intersection").
     const double squared = glm::dot(direction, direction), middle = -glm::dot(origin, direction) / squared;
@@ -63,11 +63,14 @@ ShapeCrossings ShapeIntersector::crossings(const Ray& ray, float t_max) const {
     }
     return found;
   }
-  const double t = -origin.z / direction.z;
+  // Most planes are beyond something nearer: one row of the transform tells.
+  const double height = row_product(2, from_origin), rise = row_product(2, towards);
+  const double t = -height / rise;
   if (!(t >= 0 && t <= t_end)) return found;
-  const glm::dvec2 on(origin + t * direction);
+  const glm::dvec2 on(row_product(0, from_origin) + t * row_product(0, towards),
+                      row_product(1, from_origin) + t * row_product(1, towards));
   const bool is_there = kind_ == ShapeKind::plane ? std::abs(on.x) + std::abs(on.y) < 0x1p127 : glm::dot(on, on) <= 1;
-  if (is_there) found.list[found.count++] = {static_cast<float>(t), Vec2(on), direction.z < 0};
+  if (is_there) found.list[found.count++] = {static_cast<float>(t), Vec2(on), rise < 0};
   return found;
 }
 

@@ -42,6 +42,11 @@ class ShapeIntersector {
   ShapeCrossings crossings(const Ray& ray, float t_max) const;
 
  private:
+  /// One coordinate of `to_local_ * v`.
+  double row_product(int row, glm::dvec3 v) const {
+    return to_local_[0][row] * v.x + to_local_[1][row] * v.y + to_local_[2][row] * v.z;
+  }
+
   ShapeKind kind_;
   glm::dmat3 to_local_;
   glm::dvec3 origin_;  // of local space, in world space
