@@ -95,8 +95,8 @@ class DataReader {
                        "claims " + std::to_string(element.count) + " rows, the file has bytes for " +
                            std::to_string(most) + " at most");
     }
-    if (element.properties.empty()) return;
     const std::vector<Target> targets = choose_targets(element);
+    if (targets.empty()) return;
     for (const Target& target : targets) {
       if (target.values != nullptr) target.values->resize(element.count);
       if (target.indices != nullptr) target.indices->sizes.reserve(element.count);

@@ -90,7 +90,7 @@ class HeaderParser {
       } else if (keyword == "property") {
         parse_property(rest);
       } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        warnings_.push_back(place() + ": " + quoted_text(keyword) + " is no keyword, ignored");
+        if (unknown_lines_++ == 0) first_unknown_ = place() + ": " + quoted_text(keyword) + " is no keyword, ignored";
       }
     }
     throw InputError(file_, "header", "has no end_header");
@@ -124,6 +124,8 @@ class HeaderParser {
     if (count.empty() || error != std::errc() || end != count.data() + count.size())
       fail(quoted_text(count) + " is no number of rows");
     if (header_.find(element.name) != nullptr) fail("element " + quoted_text(element.name) + " is there twice");
+    constexpr std::size_t most = 1000;  // each is looked for among all
+    if (header_.elements.size() == most) fail("there are more than 1000 elements");
     header_.elements.push_back(std::move(element));
   }
 
@@ -150,6 +152,8 @@ class HeaderParser {
 
   PlyHeader finish() {
     if (!has_format_) throw InputError(file_, "header", "has no format");
+    if (unknown_lines_ > 1) first_unknown_ += ", and so are " + std::to_string(unknown_lines_ - 1) + " more lines";
+    if (unknown_lines_ > 0) warnings_.push_back(first_unknown_);
     header_.size = lines_.position();
     return std::move(header_);
   }
@@ -159,6 +163,8 @@ class HeaderParser {
   std::vector<std::string>& warnings_;
   PlyHeader header_;
   bool has_format_ = false;
+  std::size_t unknown_lines_ = 0;
+  std::string first_unknown_;  // the warning about the first of them
 };
 
 }  // namespace

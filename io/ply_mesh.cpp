@@ -72,7 +72,7 @@ class TriangleMaker {
     }
     polygon_.clear();
     for (const std::uint32_t v : vertices) polygon_.emplace_back(data_.x[v], data_.y[v], data_.z[v]);
-    if (!triangulate_polygon(polygon_, polygon_triangles_)) ++rough_faces_;
+    if (!triangulate_polygon(polygon_, polygon_triangles_, polygon_tests_left_)) ++rough_faces_;
     for (const Triangle& t : polygon_triangles_) {
       triangles_.emplace_back(vertices[t.x], vertices[t.y], vertices[t.z]);
       for (int c = 0; has_uvs_ && c < 3; ++c) {
@@ -110,6 +110,7 @@ class TriangleMaker {
   std::vector<Vec2> corner_uvs_;
   std::vector<Vec3> polygon_;
   std::vector<Triangle> polygon_triangles_;
+  std::size_t polygon_tests_left_ = std::size_t{1} << 28;  // of a whole file: about a second
   std::size_t small_faces_ = 0, rough_faces_ = 0, faces_without_uvs_ = 0;
 };
 

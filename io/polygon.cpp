@@ -1,5 +1,6 @@
 #include "io/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace candil {
@@ -32,11 +33,26 @@ std::vector<Point> projected(std::span<const Vec3> corners) {
   return points;
 }
 
-bool is_convex(const std::vector<Point>& points) {
+bool never_turns_right(const std::vector<Point>& points) {
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i)
     if (signed_area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) return false;
   return true;
+}
+
+/// Of an outline that never turns right: whether it goes round once, hence is convex, and not twice as a pentagram
+/// does. Its edges then run to the left and to the right once each.
+bool goes_round_once(const std::vector<Point>& points) {
+  int changes = 0, first = 0, last = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double run = points[(i + 1) % points.size()].x - points[i].x;
+    if (run == 0) continue;
+    const int direction = run < 0 ? -1 : 1;
+    if (last == 0) first = direction;
+    if (last != 0 && direction != last) ++changes;
+    last = direction;
+  }
+  return changes + (first != last ? 1 : 0) <= 2;
 }
 
 void add_fan(const std::vector<std::uint32_t>& corners, std::vector<Triangle>& triangles) {
@@ -45,7 +61,7 @@ void add_fan(const std::vector<std::uint32_t>& corners, std::vector<Triangle>& t
 
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<Point>& points) : points_(points), tests_left_(1000 * points.size()) {
+  EarClipper(const std::vector<Point>& points, std::size_t most_tests) : points_(points), tests_left_(most_tests) {
     for (std::uint32_t i = 0; i < points.size(); ++i) left_.push_back(i);
   }
 
@@ -68,6 +84,8 @@ class EarClipper {
     add_fan(left_, triangles);
     return is_done;
   }
+
+  std::size_t tests_left() const { return tests_left_; }
 
  private:
   Triangle triangle(std::size_t at) const {
@@ -95,16 +113,22 @@ class EarClipper {
 
 }  // namespace
 
-bool triangulate_polygon(std::span<const Vec3> corners, std::vector<Triangle>& triangles) {
+bool triangulate_polygon(std::span<const Vec3> corners, std::vector<Triangle>& triangles, std::size_t& tests_left) {
   triangles.clear();
   if (corners.size() == 3) {
     triangles.emplace_back(0, 1, 2);
     return true;
   }
   const std::vector<Point> points = projected(corners);
-  if (!is_convex(points)) return EarClipper(points).clip(triangles);
+  if (!never_turns_right(points)) {
+    const std::size_t most_tests = std::min(1000 * points.size(), tests_left);
+    EarClipper clipper(points, most_tests);
+    const bool is_done = clipper.clip(triangles);
+    tests_left -= most_tests - clipper.tests_left();
+    return is_done;
+  }
   for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) triangles.emplace_back(0, i, i + 1);
-  return true;
+  return goes_round_once(points);
 }
 
 }  // namespace candil

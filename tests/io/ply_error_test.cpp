@@ -42,6 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "header, line 4: the length of a list must be an integer"},
         BrokenPly{with_header("element vertex 1\nproperty float\n"), "header, line 4: a property has no name"},
         BrokenPly{with_header("element face 0\n"), "header: has no element vertex"},
+        BrokenPly{with_header("element vertex 1000\n" + face) + "3 0 1 2\n", "element vertex: has no property x"},
+        BrokenPly{with_header(vertex_element(0) + "element face 1\n"), "element face: has no list vertex_indices"},
         BrokenPly{with_header("element vertex 1\nproperty float x\nproperty float z\n") + "0 0\n",
                   "element vertex: has no property y"},
         BrokenPly{with_header(vertex_element(0) + "element face 1\nproperty int material\n") + "0\n",
@@ -99,6 +101,22 @@ TEST(PlyHostile, RowsWithoutBytesTakeNoTime) {
   std::vector<std::string> warnings;
   EXPECT_TRUE(load_ply_text(with_header("element nothing 18446744073709551615\n" + vertex_element(0)), warnings)
                   .triangles.empty());
+}
+
+TEST(PlyHostile, ElementsAreLimited) {
+  std::string elements;
+  for (int i = 0; i < 1000; ++i) elements += "element e" + std::to_string(i) + " 0\n";
+  // Two lines come before the first element.
+  EXPECT_EQ(ply_error(with_header(elements + "element last 0\n")),
+            "mesh.ply: header, line 1003: there are more than 1000 elements");
+}
+
+TEST(PlyHostile, UnknownLinesAreOneWarning) {
+  std::vector<std::string> warnings;
+  load_ply_text(with_header(vertex_element(0) + "junk 1\njunk 2\nother\n"), warnings);
+  EXPECT_EQ(warnings,
+            (std::vector<std::string>{"header, line 7: \"junk\" is no keyword, ignored, and so are 2 more lines",
+                                      "the file has no faces, nothing of it is shown"}));
 }
 
 // Cutting a file short anywhere gives a message, never a crash.

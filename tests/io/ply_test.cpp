@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/color.h"
 #include "tests/io/ply_sample.h"
 
@@ -147,6 +149,18 @@ TEST(Ply, PolygonsThatCrossThemselvesAreAWarning) {
   EXPECT_EQ(warnings, (std::vector<std::string>{
                           "element face: 1 faces with fewer than 3 corners are left out",
                           "element face: 1 faces cross themselves or are too intricate, they are shown roughly"}));
+}
+
+// A pentagram turns left at each corner, but goes round twice.
+TEST(Ply, PentagramsCrossThemselves) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 5; ++i) corners.emplace_back(std::cos(0.8f * pi * i), std::sin(0.8f * pi * i), 0);
+  std::vector<std::string> warnings;
+  EXPECT_EQ(load_ply_text(ascii_ply(corners, {"5 0 1 2 3 4"}), warnings).triangles.size(), 3U);
+  EXPECT_EQ(warnings, std::vector<std::string>{
+                          "element face: 1 faces cross themselves or are too intricate, they are shown roughly"});
+  // The same corners in the order of a pentagon.
+  EXPECT_EQ(load_ply_text(ascii_ply(corners, {"5 0 3 1 4 2"})).triangles.size(), 3U);
 }
 
 // Two strips in one row, as in Stanford's files, and one in the next. Odd triangles turn round.
