@@ -47,19 +47,21 @@ std::uint64_t parse_integer(std::string_view option, std::string_view text, std:
   return *value;
 }
 
-std::vector<float> parse_reals(std::string_view option, std::string_view text, std::size_t least, std::size_t most) {
+std::vector<float> parse_reals(std::string_view option, std::string_view text, std::size_t least, std::size_t most,
+                               double largest) {
   const std::vector<std::string_view> parts = split(text, ',');
   if (parts.size() < least || parts.size() > most) {
     const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
     throw UsageError(fmt::format("{}: '{}' is not {} numbers with commas between them", option, text, count));
   }
   std::vector<float> values;
-  for (const std::string_view part : parts) values.push_back(static_cast<float>(parse_real(option, part, -1e30, 1e30)));
+  for (const std::string_view part : parts)
+    values.push_back(static_cast<float>(parse_real(option, part, -largest, largest)));
   return values;
 }
 
-Vec3 parse_vector(std::string_view option, std::string_view text) {
-  const std::vector<float> values = parse_reals(option, text, 3, 3);
+Vec3 parse_vector(std::string_view option, std::string_view text, double largest) {
+  const std::vector<float> values = parse_reals(option, text, 3, 3, largest);
   return {values[0], values[1], values[2]};
 }
 

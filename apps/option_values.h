@@ -19,10 +19,11 @@ struct ImageSize {
 double parse_real(std::string_view option, std::string_view text, double low, double high);
 /// A whole number in [low, high].
 std::uint64_t parse_integer(std::string_view option, std::string_view text, std::uint64_t low, std::uint64_t high);
-/// Between `least` and `most` finite numbers with commas between them.
-std::vector<float> parse_reals(std::string_view option, std::string_view text, std::size_t least, std::size_t most);
-/// Three finite numbers with commas between them.
-Vec3 parse_vector(std::string_view option, std::string_view text);
+/// Between `least` and `most` numbers in [-largest, largest] with commas between them.
+std::vector<float> parse_reals(std::string_view option, std::string_view text, std::size_t least, std::size_t most,
+                               double largest);
+/// Three such numbers.
+Vec3 parse_vector(std::string_view option, std::string_view text, double largest);
 /// "1920x1080": each from 1 to max_image_side.
 ImageSize parse_size(std::string_view option, std::string_view text);
 inline constexpr int max_image_side = 32768;

@@ -26,6 +26,8 @@ Examples:
 
 Ctrl-C writes what is there; pressed again, it ends the program at once.)";
 
+constexpr double farthest = 1e9;  // metres, as in scene files
+
 /// Adds options whose words are turned into values by our own functions: the messages are the same with every version
 /// of CLI11, and nothing like NaN slips through.
 class Arguments {
@@ -94,18 +96,18 @@ void add_camera_arguments(Arguments& arguments, CameraOptions& camera) {
       "--orbit", "AZIMUTH,ELEVATION[,DISTANCE]",
       "Look at the middle of the scene; degrees and metres (default 35,20, at the distance that fills the frame)",
       [&](const auto& option, const auto& text) {
-        const std::vector<float> values = parse_reals(option, text, 2, 3);
+        const std::vector<float> values = parse_reals(option, text, 2, 3, farthest);
         Orbit wanted{glm::radians(values[0]), glm::radians(values[1])};
         if (values.size() == 3) wanted.distance = values[2];
         if (values.size() == 3 && !(values[2] > 0)) throw UsageError(option + ": the distance must be positive");
         camera.orbit = wanted;
       });
-  CLI::Option* const from =
-      arguments.add("--look-from", "X,Y,Z", "Stand here, in metres",
-                    [&](const auto& option, const auto& text) { camera.look_from = parse_vector(option, text); });
+  CLI::Option* const from = arguments.add(
+      "--look-from", "X,Y,Z", "Stand here, in metres",
+      [&](const auto& option, const auto& text) { camera.look_from = parse_vector(option, text, farthest); });
   arguments
       .add("--look-at", "X,Y,Z", "Look at this point (default: the middle of the scene)",
-           [&](const auto& option, const auto& text) { camera.look_at = parse_vector(option, text); })
+           [&](const auto& option, const auto& text) { camera.look_at = parse_vector(option, text, farthest); })
       ->needs(from);
   name->excludes(orbit)->excludes(from);
   orbit->excludes(from);
@@ -126,7 +128,7 @@ void add_light_arguments(Arguments& arguments, EnvironmentOptions& environment) 
       .add("--env-color", "R,G,B",
            "The same light from everywhere; 0,0,0 for none (default: a studio, if the file has no light)",
            [&](const auto& option, const auto& text) {
-             const Vec3 color = parse_vector(option, text);
+             const Vec3 color = parse_vector(option, text, 1e30);
              if (min_component(color) < 0) throw UsageError(option + ": light must not be negative");
              environment.color = color;
            })

@@ -2,6 +2,7 @@
 
 #include "io/gltf_internal.h"
 #include "io/gltf_tinygltf.h"
+#include "io/placement.h"
 
 namespace candil {
 
@@ -45,6 +46,11 @@ void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& no
     camera->name = source.name.empty() ? node.name : source.name;
     camera->to_world = placed.to_world;
     camera->focus_distance = 0;  // glTF has no lenses
+    if (!is_usable(*camera)) {
+      warnings.add(indexed("nodes", placed.node) + ".camera",
+                   "is too far away, scaled to nothing or frames too much; it is ignored");
+      continue;
+    }
     scene.cameras.push_back(std::move(*camera));
   }
 }

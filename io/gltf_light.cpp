@@ -2,6 +2,7 @@
 
 #include "io/gltf_internal.h"
 #include "io/gltf_tinygltf.h"
+#include "io/placement.h"
 
 namespace candil {
 
@@ -52,9 +53,11 @@ void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nod
     if (light->name.empty()) light->name = node.name;
     light->position = placed.to_world.translation;
     // Lights shine along their -Z; a scale, even a mirroring one, only turns that as it turns any vector.
-    const Vec3 direction = placed.to_world.vector(Vec3(0, 0, -1));
-    const float length = glm::length(direction);
-    if (length > 0 && length < infinity) light->direction = direction / length;
+    light->direction = turned(placed.to_world, Vec3(0, 0, -1));
+    if (light->kind != PunctualKind::directional && !is_within_reach(light->position)) {
+      warnings.add(indexed("nodes", placed.node), "places its light farther than 1e9 m from the origin, it is ignored");
+      continue;
+    }
     scene.punctual_lights.push_back(std::move(*light));
   }
 }

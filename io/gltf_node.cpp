@@ -4,6 +4,7 @@
 
 #include "io/gltf_internal.h"
 #include "io/gltf_tinygltf.h"
+#include "io/placement.h"
 
 namespace candil {
 
@@ -98,11 +99,6 @@ std::vector<int> find_roots(const GltfDocument& document, const std::vector<int>
   return roots;
 }
 
-bool is_finite(const Affine& transform) {
-  return candil::is_finite(transform.linear[0]) && candil::is_finite(transform.linear[1]) &&
-         candil::is_finite(transform.linear[2]) && candil::is_finite(transform.translation);
-}
-
 Bounds object_bounds(const Scene& scene, const Object& object) {
   Bounds bounds;
   for (std::uint32_t m = object.first_mesh; m < object.first_mesh + object.mesh_count; ++m) {
@@ -111,24 +107,15 @@ Bounds object_bounds(const Scene& scene, const Object& object) {
   return bounds;
 }
 
-/// Beyond this, squared areas overflow single precision and nothing can be shaded.
-constexpr float farthest = 1e9f;
-
 void check_reach(const GltfDocument& document, const Bounds& bounds, const PlacedNode& node) {
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p =
         node.to_world.point(Vec3((corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
                                  (corner & 4 ? bounds.high : bounds.low).z));
-    if (!candil::is_finite(p) || max_component(glm::abs(p)) > farthest) {
+    if (!is_within_reach(p)) {
       document.fail(indexed("nodes", node.node), "places its mesh farther than 1e9 m from the origin");
     }
   }
-}
-
-/// An instance can be entered by rays only if its transform has an inverse.
-bool is_invertible(const Affine& transform) {
-  const float determinant = glm::determinant(transform.linear);
-  return std::isnormal(determinant) && is_finite(inverse(transform));
 }
 
 }  // namespace
@@ -176,7 +163,7 @@ void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& 
     const std::uint32_t object = entry->second;
     if (scene.objects[object].mesh_count == 0) continue;
     check_reach(document, bounds[object], placed);
-    if (!is_invertible(placed.to_world)) {
+    if (!can_be_entered(placed.to_world)) {
       warnings.add(indexed("nodes", placed.node), "is scaled to nothing in some direction; its mesh is not shown");
       continue;
     }

@@ -4,6 +4,7 @@
 #include "io/error.h"
 #include "io/gltf_internal.h"
 #include "io/json_internal.h"
+#include "io/placement.h"
 #include "io/tangents.h"
 
 namespace candil {
@@ -108,8 +109,6 @@ void add_instances(const JsonNode& object, const JsonGeometryFiles::Gltf& gltf, 
   }
 }
 
-Vec3 turned(const Affine& placement, Vec3 direction) { return glm::normalize(placement.vector(direction)); }
-
 void add_lights(const JsonNode& object, const std::vector<PunctualLight>& lights, const std::vector<Affine>& placements,
                 Scene& scene) {
   constexpr std::size_t most = std::size_t{1} << 20;
@@ -119,6 +118,8 @@ void add_lights(const JsonNode& object, const std::vector<PunctualLight>& lights
     for (PunctualLight light : lights) {
       light.position = placement.point(light.position);
       light.direction = turned(placement, light.direction);
+      if (light.kind != PunctualKind::directional && !is_within_reach(light.position))
+        object.fail("places a light farther than 1e9 m from the origin");
       scene.punctual_lights.push_back(std::move(light));
     }
 }
@@ -128,6 +129,7 @@ void add_cameras(const JsonNode& object, const std::vector<Camera>& cameras, con
   if (scene.cameras.size() + cameras.size() > most) object.fail("makes more than 65536 cameras");
   for (Camera camera : cameras) {
     camera.to_world = placement * camera.to_world;
+    if (!is_usable(camera)) object.fail("places a camera too far away, or scales it to nothing");
     scene.cameras.push_back(std::move(camera));
   }
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "io/json_internal.h"
+#include "io/placement.h"
 
 namespace candil {
 namespace {
@@ -36,13 +37,6 @@ Affine read_step(const JsonNode& step) {
   return {rotation(axis, glm::radians(value.number())), Vec3(0)};
 }
 
-bool is_invertible(const Affine& a) {
-  const auto is_finite_affine = [](const Affine& x) {
-    return is_finite(x.linear[0]) && is_finite(x.linear[1]) && is_finite(x.linear[2]) && is_finite(x.translation);
-  };
-  return is_finite_affine(a) && std::isnormal(glm::determinant(a.linear)) && is_finite_affine(inverse(a));
-}
-
 }  // namespace
 
 Affine read_transform(const JsonNode& steps) {
@@ -55,7 +49,7 @@ std::vector<Affine> read_placements(const JsonNode& object) {
   Affine own;
   if (const auto transform = object.find("transform")) {
     own = read_transform(*transform);
-    if (!is_invertible(own)) transform->fail("must be invertible: it scales to nothing or beyond all numbers");
+    if (!can_be_entered(own)) transform->fail("must be invertible: it scales to nothing or beyond all numbers");
   }
   const auto instances = object.find("instances");
   if (!instances) return {own};
@@ -63,18 +57,15 @@ std::vector<Affine> read_placements(const JsonNode& object) {
   for (std::size_t i = 0; i < instances->size(); ++i) {
     const JsonNode instance = (*instances)[i];
     placements.push_back(read_transform(instance) * own);
-    if (!is_invertible(placements.back()))
+    if (!can_be_entered(placements.back()))
       instance.fail("must be invertible: it scales to nothing or beyond all numbers");
   }
   return placements;
 }
 
 void check_reach(const JsonNode& object, const Bounds& bounds, const Affine& to_world) {
-  constexpr float farthest = 1e9f;  // beyond, squared areas overflow single precision
   for (int i = 0; i < 8 && !bounds.is_empty(); ++i) {
-    const Vec3 p = to_world.point(bounds.corner(i));
-    if (!is_finite(p) || max_component(glm::abs(p)) > farthest)
-      object.fail("reaches farther than 1e9 m from the origin");
+    if (!is_within_reach(to_world.point(bounds.corner(i)))) object.fail("reaches farther than 1e9 m from the origin");
   }
 }
 

@@ -35,6 +35,46 @@ TEST(GltfCamera, IgnoresThoseThatCanShowNothing) {
   EXPECT_EQ(load_error(sample), "model.gltf: cameras[0].type: \"fisheye\" is none of: perspective orthographic");
 }
 
+// Each would begin or aim its rays where single precision ends.
+TEST(GltfCamera, IgnoresThoseOutOfReach) {
+  const std::string perspective = R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.1}})";
+  for (const char* const node : {R"("translation":[0,0,1e10])", R"("scale":[0,0,0])", R"("scale":[1,0,1])",
+                                 R"("scale":[1,1,1e-30])", R"("matrix":[1,0,0,0, 0,1,0,0, 0,1,0,0, 0,0,0,1])"}) {
+    GltfSample sample;
+    sample.cameras = {perspective};
+    sample.nodes = {R"({"camera":0,)" + std::string(node) + "}"};
+    const LoadedScene loaded = load_sample(sample);
+    EXPECT_TRUE(loaded.scene.cameras.empty()) << node;
+    EXPECT_EQ(loaded.warnings,
+              std::vector<std::string>{
+                  "nodes[0].camera: is too far away, scaled to nothing or frames too much; it is ignored"})
+        << node;
+  }
+  for (const char* const frame :
+       {R"("xmag":1e10,"ymag":1e10)", R"("xmag":1,"ymag":1e-30)", R"("xmag":1e20,"ymag":1)"}) {
+    GltfSample sample;
+    sample.cameras = {R"({"type":"orthographic","orthographic":{)" + std::string(frame) + R"(,"zfar":10,"znear":0}})"};
+    sample.nodes = {R"({"camera":0})"};
+    EXPECT_TRUE(load_sample(sample).scene.cameras.empty()) << frame;
+  }
+  GltfSample sample;  // a scaled and mirrored one is fine
+  sample.cameras = {perspective};
+  sample.nodes = {R"({"camera":0,"translation":[1e9,0,0],"scale":[-1e-6,1e-6,1e-6]})"};
+  EXPECT_EQ(load_sample(sample).scene.cameras.size(), 1u);
+}
+
+TEST(GltfLight, IgnoresThoseOutOfReach) {
+  GltfSample sample;
+  sample.root = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[
+      {"type":"point"},{"type":"directional"}]}})";
+  sample.nodes = {R"({"translation":[0,1e10,0],"extensions":{"KHR_lights_punctual":{"light":0}}})",
+                  R"({"translation":[0,1e10,0],"extensions":{"KHR_lights_punctual":{"light":1}}})"};
+  const LoadedScene loaded = load_sample(sample);
+  ASSERT_EQ(loaded.scene.punctual_lights.size(), 1u);
+  EXPECT_EQ(loaded.scene.punctual_lights[0].kind, PunctualKind::directional) << "its place has no meaning";
+  EXPECT_EQ(loaded.warnings.size(), 1u);
+}
+
 // The node turns -Z to +X (a quarter about -Y: rotation (0, -sin 45, 0, cos 45)) and doubles everything, which must not
 // change the unit direction.
 TEST(GltfLight, ReadsPunctualLights) {

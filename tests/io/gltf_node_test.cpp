@@ -129,9 +129,12 @@ TEST(GltfNode, TransformsThatOverflowAreRefusedAndFlatOnesNotShown) {
       "model.gltf: nodes[1]: has a transform that overflows");
   EXPECT_EQ(load_error(sample_with_nodes({R"({"mesh":0,"scale":[1e30,1,1]})"})),
             "model.gltf: nodes[0]: places its mesh farther than 1e9 m from the origin");
-  const LoadedScene loaded = load_sample(sample_with_nodes({R"({"mesh":0,"scale":[0,0,0]})"}));
-  EXPECT_TRUE(loaded.scene.instances.empty());
-  EXPECT_EQ(loaded.warnings.size(), 1u);
+  // The last one has a determinant of 1e-20, but would lengthen the rays that enter it 1e20 times.
+  for (const char* const node : {R"({"mesh":0,"scale":[0,0,0]})", R"({"mesh":0,"scale":[1e-20,1,1]})"}) {
+    const LoadedScene loaded = load_sample(sample_with_nodes({node}));
+    EXPECT_TRUE(loaded.scene.instances.empty()) << node;
+    EXPECT_EQ(loaded.warnings.size(), 1u) << node;
+  }
 }
 
 }  // namespace

@@ -80,6 +80,30 @@ TEST(JsonGltf, LightsAreLimited) {
             "scene.json: objects[0]: makes more than a million lights");
 }
 
+// What a file brings is placed by its object: within reach, and never without a direction.
+TEST(JsonGltf, LightsAndCamerasStayWithinReach) {
+  const TemporaryFolder folder;
+  GltfSample sample;
+  sample.root = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[
+    {"type":"spot","spot":{}}]}})";
+  sample.cameras = {R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.1}})"};
+  sample.nodes = {R"({"camera":0,"translation":[1,0,0],"extensions":{"KHR_lights_punctual":{"light":0}}})"};
+  write_text(folder / "a.gltf", sample.json());
+  const auto scene = [](const std::string& members) {
+    return R"({"objects": [{"type": "gltf", "file": "a.gltf", )" + members + "}]}";
+  };
+  EXPECT_EQ(json_error(folder, scene(R"("transform": [{"translate": [1e9, 0, 0]}, {"translate": [1e9, 0, 0]}])")),
+            "scene.json: objects[0]: places a light farther than 1e9 m from the origin");
+  EXPECT_EQ(json_error(folder, scene(R"("lights": false, "cameras": true, "transform": [{"scale": 1e5},
+                                        {"scale": 1e5}])")),
+            "scene.json: objects[0]: places a camera too far away, or scales it to nothing");
+  const LoadedScene loaded = load_json(folder, scene(R"("cameras": true, "transform": [{"scale": 1e-7},
+                                                        {"rotate_y": -90}])"));
+  EXPECT_EQ(loaded.scene.cameras.size(), 1U);
+  ASSERT_EQ(loaded.scene.punctual_lights.size(), 1U);
+  EXPECT_NEAR(loaded.scene.punctual_lights[0].direction.x, 1, 1e-6f);  // -Z turned by a quarter
+}
+
 // The first 80 characters of two names are the same; messages cut them there.
 TEST(JsonMaterial, LongNamesAreNotConfused) {
   const std::string name(100, 'm');
