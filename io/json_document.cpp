@@ -40,8 +40,8 @@ class IncludeReader {
     const fs::path path = resolve_reference(file.folder, reference.text(), file.name, reference.place());
     if (std::ranges::find(open_, path) != open_.end()) reference.fail("includes itself");
     if (!read_.insert(path).second) return;  // included by two files
-    constexpr std::size_t most = 256;
-    if (files_.size() >= most) reference.fail("is the 257th file of the scene");
+    constexpr std::size_t most = 256;        // with the first file, which is not in read_; the depth is bounded with it
+    if (read_.size() >= most) reference.fail("is the 257th file of the scene");
     read(path, (fs::path(file.name).parent_path() / reference.text()).string());
   }
 
@@ -54,14 +54,7 @@ class IncludeReader {
 
 bool is_json_scene(const fs::path& path) {
   const Bytes bytes = read_file(path, path.string(), "");
-  const auto* const text = reinterpret_cast<const char*>(bytes.data());
-  constexpr bool allow_exceptions = false, ignore_comments = true;
-  bool has_asset = false;
-  const auto watch = [&](int depth, json::parse_event_t event, const json& value) {
-    if (event == json::parse_event_t::key && depth == 1 && value == "asset") has_asset = true;
-    return true;
-  };
-  return json::parse(text, text + bytes.size(), watch, allow_exceptions, ignore_comments).is_discarded() || !has_asset;
+  return !has_root_key({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "asset");
 }
 
 std::vector<JsonFile> read_json_files(const fs::path& path) {

@@ -12,4 +12,7 @@ namespace candil {
 /// nests deeper than 64 levels.
 nlohmann::json parse_json_with_comments(std::string_view text, const std::string& name);
 
+/// Whether the text is an object that has the key; what comes after it is not looked at.
+bool has_root_key(std::string_view text, std::string_view key);
+
 }  // namespace candil

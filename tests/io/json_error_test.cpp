@@ -138,6 +138,17 @@ TEST(JsonInclude, ErrorsNameTheIncludedFile) {
   EXPECT_EQ(json_error(folder, R"({"include": ["a.json"]})"), "b.json: include[0]: includes itself");
 }
 
+// Files are counted before those that they include are read: neither a chain nor a list is longer than 256.
+TEST(JsonInclude, FilesAreLimited) {
+  const TemporaryFolder folder;
+  for (int i = 1; i < 300; ++i)
+    write_text(folder / (std::to_string(i) + ".json"), R"({"include": [")" + std::to_string(i + 1) + ".json\"]}");
+  write_text(folder / "300.json", "{}");
+  EXPECT_EQ(json_error(folder, R"({"include": ["1.json"]})"),  // scene.json and 1 to 255 are 256 files
+            "255.json: include[0]: is the 257th file of the scene");
+  EXPECT_EQ(json_error(folder, R"({"include": ["46.json"]})"), "");
+}
+
 // Cutting a scene short anywhere gives a message, never a crash.
 TEST(JsonError, TruncatedScenes) {
   const std::string whole =

@@ -32,6 +32,13 @@ TEST(JsonScene, GltfNamedJsonIsGltf) {
   EXPECT_EQ(load_json(sample.json()).scene.meshes.size(), 1U);
 }
 
+// The kind of a file is told from its root alone, however deep the rest is.
+TEST(JsonScene, OnlyTheRootTellsGltf) {
+  EXPECT_EQ(json_error(R"({"render": {"asset": 1}})").rfind("scene.json: render.asset: is not known", 0), 0U);
+  EXPECT_EQ(json_error(R"({"asset": )" + std::string(1'000'000, '[')),
+            "scene.json: JSON: is nested deeper than 128 levels");
+}
+
 TEST(JsonShape, SphereAndInstances) {
   const LoadedScene loaded = load_json(R"({"objects": [{"type": "sphere", "name": "ball", "center": [1, 2, 3],
     "radius": 2, "instances": [[], [{"rotate_y": 90}, {"translate": [0, 10, 0]}]]}]})");
