@@ -43,7 +43,7 @@ void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& no
     const tinygltf::Camera& source = document.model().cameras[index];
     std::optional<Camera> camera = make_camera(source, indexed("cameras", index), warnings);
     if (!camera) continue;
-    camera->name = source.name.empty() ? node.name : source.name;
+    camera->name = kept_name(source.name.empty() ? node.name : source.name);
     camera->to_world = placed.to_world;
     camera->focus_distance = 0;  // glTF has no lenses
     if (!is_usable(*camera)) {

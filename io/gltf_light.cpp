@@ -13,7 +13,7 @@ constexpr double largest_intensity = 1e12;
 /// KHR_lights_punctual. Nothing (and a warning) for a kind that is not known.
 std::optional<PunctualLight> make_light(const tinygltf::Light& source, const std::string& place, Warnings& warnings) {
   PunctualLight light;
-  light.name = source.name;
+  light.name = kept_name(source.name);
   if (source.type == "directional") {
     light.kind = PunctualKind::directional;
   } else if (source.type == "spot") {
@@ -50,7 +50,7 @@ void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nod
     const std::string place = "extensions.KHR_lights_punctual." + indexed("lights", index);
     std::optional<PunctualLight> light = make_light(document.model().lights[index], place, warnings);
     if (!light) continue;
-    if (light->name.empty()) light->name = node.name;
+    if (light->name.empty()) light->name = kept_name(node.name);
     light->position = placed.to_world.translation;
     // Lights shine along their -Z; a scale, even a mirroring one, only turns that as it turns any vector.
     light->direction = turned(placed.to_world, Vec3(0, 0, -1));

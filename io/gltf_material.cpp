@@ -31,7 +31,7 @@ class MaterialReader {
       : source_(source), place_(std::move(place)), textures_(textures), warnings_(warnings) {}
 
   Material read() {
-    material_.name = source_.name;
+    material_.name = kept_name(source_.name);
     read_metallic_roughness();
     read_surface();
     read_emission();

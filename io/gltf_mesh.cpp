@@ -187,7 +187,8 @@ MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable
 Object MeshReader::read(std::size_t index) {
   const tinygltf::Mesh& source = document_.model().meshes[index];
   const std::string mesh_place = indexed("meshes", index);
-  Object object{source.name.empty() ? mesh_place : source.name, static_cast<std::uint32_t>(scene_.meshes.size()), 0};
+  Object object{source.name.empty() ? mesh_place : kept_name(source.name),
+                static_cast<std::uint32_t>(scene_.meshes.size()), 0};
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
     const std::string place = mesh_place + "." + indexed("primitives", p);

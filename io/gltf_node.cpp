@@ -167,7 +167,7 @@ void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& 
       warnings.add(indexed("nodes", placed.node), "is scaled to nothing in some direction; its mesh is not shown");
       continue;
     }
-    const std::string name = node.name.empty() ? indexed("nodes", placed.node) : node.name;
+    const std::string name = node.name.empty() ? indexed("nodes", placed.node) : kept_name(node.name);
     scene.instances.push_back({name, object, placed.to_world});
   }
   // Damage is reported wherever it is, also in meshes that this scene does not show.

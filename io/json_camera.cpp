@@ -29,7 +29,7 @@ float read_focus(const JsonNode& source, const Camera& camera, float distance_to
 Camera read_camera(const JsonNode& source) {
   const Vec3 from = source["look_from"].vec3(), at = source["look_at"].vec3();
   Camera camera;
-  camera.name = source.text("name", source.place());
+  camera.name = object_name(source);
   camera.to_world = {camera_axes(source, from, at), from};
   camera.yfov = source.radians("fov", 45);
   if (const auto height = source.find("height")) {

@@ -144,8 +144,9 @@ void add_gltf(const JsonNode& object, JsonMaterials& materials, JsonGeometryFile
   const std::string key = (material ? std::to_string(*material) : "") + " " + path.string();
   const auto [entry, is_new] = geometry.gltf.try_emplace(key);
   if (is_new) {
+    const std::size_t charged = geometry.charge_file(object, path);
     LoadedScene part = load_part(object["file"], path);
-    geometry.charge(object, decoded_bytes(part.scene));
+    geometry.charge(object, std::max(decoded_bytes(part.scene), charged) - charged);
     entry->second = add_file(object, std::move(part), material, materials, loaded);
   }
   Scene& scene = loaded.scene;

@@ -36,7 +36,7 @@ class JsonTextures {
   /// A normal map made from heights (io/bump_map.h).
   TextureSlot bumps(const JsonNode& name, float height);
   /// Largest colour of a slot that colors() gave, linear.
-  Vec3 largest_color(const TextureSlot& slot) const;
+  Vec3 largest_color(const TextureSlot& slot);
 
  private:
   enum class Use { colors, data, bumps };
@@ -47,6 +47,7 @@ class JsonTextures {
   const std::vector<JsonFile>& files_;
   Scene& scene_;
   std::map<std::string, std::uint32_t> texture_ids_, image_ids_;
+  std::map<std::uint32_t, Vec3> largest_colors_;  // by image
   std::size_t decoded_bytes_ = 0;
 };
 
@@ -79,7 +80,7 @@ std::vector<Affine> read_placements(const JsonNode& object);
 /// Fails when a corner of the bounds, once transformed, is farther than 1e9 m from the origin.
 void check_reach(const JsonNode& object, const Bounds& bounds, const Affine& to_world);
 
-/// "bunny" for an object with that name, else its place.
+/// "bunny" for an object with that name, else its place; as kept_name().
 std::string object_name(const JsonNode& object);
 
 /// What the files of geometry have become, so that a file is read once however many objects name it, and what they may
@@ -101,8 +102,11 @@ class JsonGeometryFiles {
   std::map<std::string, Ply> ply;                   ///< By file, options and material.
   std::map<std::string, Gltf> gltf;                 ///< By file and material.
 
-  /// Small files must not fill the memory by being shown in ever more materials: fails beyond 8 GiB.
+  /// Small files must not fill the memory, or take for ever, by being shown in ever more materials: fails when all that
+  /// was charged exceeds 8 GiB.
   void charge(const JsonNode& object, std::size_t bytes);
+  /// To be called before a file is read: what it needs at least, its size. Returns that.
+  std::size_t charge_file(const JsonNode& object, const std::filesystem::path& path);
 
  private:
   std::size_t bytes_ = 0;

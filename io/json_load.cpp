@@ -61,7 +61,7 @@ std::filesystem::path referenced_file(const JsonNode& reference) {
   return resolve_reference(file.folder, reference.text(), file.name, reference.place());
 }
 
-std::string object_name(const JsonNode& object) { return object.text("name", object.place()); }
+std::string object_name(const JsonNode& object) { return kept_name(object.text("name", object.place())); }
 
 RenderDefaults read_render_defaults(const std::vector<JsonFile>& files) {
   RenderDefaults defaults;

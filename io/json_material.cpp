@@ -4,6 +4,7 @@
 #include "core/metals.h"
 #include "io/default_material.h"
 #include "io/json_internal.h"
+#include "io/resource.h"
 
 namespace candil {
 namespace {
@@ -176,7 +177,7 @@ std::uint32_t JsonMaterials::add(const JsonNode& source, const std::string& name
   const auto found = ids_.find(source.identity());
   if (found != ids_.end()) return found->second;
   Material material = MaterialReader(source, textures_, medium_ior_).read();
-  material.name = name;
+  material.name = kept_name(name);
   const auto id = static_cast<std::uint32_t>(scene_.materials.size());
   scene_.materials.push_back(std::move(material));
   ids_.emplace(source.identity(), id);

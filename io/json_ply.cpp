@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/error.h"
 #include "io/json_internal.h"
 #include "io/ply.h"
@@ -61,18 +63,20 @@ void add_ply(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles
   const auto [entry, is_new] = geometry.ply.try_emplace(std::to_string(material) + " " + mesh_key);
   if (is_new) {
     const auto known = geometry.ply_meshes.find(mesh_key);
-    Mesh mesh = known != geometry.ply_meshes.end() ? copy_of(scene.meshes[known->second])
-                                                   : load_part(object, path, options, loaded.warnings);
-    geometry.charge(object, geometry_bytes(mesh));
+    const bool is_known = known != geometry.ply_meshes.end();
+    const std::size_t charged = is_known ? 0 : geometry.charge_file(object, path);
+    Mesh mesh = is_known ? copy_of(scene.meshes[known->second]) : load_part(object, path, options, loaded.warnings);
+    geometry.charge(object, std::max(geometry_bytes(mesh), charged) - charged);
     entry->second = add_object_of(object, std::move(mesh), material, scene);
     if (entry->second.object != invalid_id)
       geometry.ply_meshes.try_emplace(mesh_key, static_cast<std::uint32_t>(scene.meshes.size() - 1));
   }
   const JsonGeometryFiles::Ply& ply = entry->second;
+  const std::string name = object_name(object);
   for (const Affine& placement : read_placements(object)) {
     if (ply.object == invalid_id) continue;
     check_reach(object, ply.bounds, placement);
-    scene.instances.push_back({object_name(object), ply.object, placement});
+    scene.instances.push_back({name, ply.object, placement});
   }
 }
 

@@ -25,14 +25,25 @@ TextureImage encode_linear(const TextureImage& image) {
   return result;
 }
 
-/// Two by two texels.
+/// Two by two texels of linear values.
 TextureImage make_checkerboard(const JsonNode& colors) {
   TextureImage image;
   image.name = colors.place();
   image.width = image.height = 2;
-  const Vec4 first = encoded(Vec4(colors[0].color(), 1)), second = encoded(Vec4(colors[1].color(), 1));
+  const Vec4 first(colors[0].color(), 1), second(colors[1].color(), 1);
   image.rgba32 = {first, second, second, first};
   return image;
+}
+
+/// Of each channel, of colours that are stored as sRGB.
+Vec3 largest_linear(const TextureImage& image) {
+  Vec3 largest(0);
+  glm::u8vec4 largest_byte(0);
+  for (const glm::u8vec4 t : image.rgba8) largest_byte = glm::max(largest_byte, t);
+  for (int c = 0; c < 3; ++c) largest[c] = linear_of_srgb_byte[largest_byte[c]];
+  for (const Vec4 t : image.rgba32)
+    for (int c = 0; c < 3; ++c) largest[c] = glm::max(largest[c], srgb_to_linear(t[c]));
+  return largest;
 }
 
 Wrap read_wrap(const JsonNode& texture) {
@@ -85,7 +96,8 @@ TextureImage JsonTextures::make_image(const JsonNode& texture, Use use, float he
   const auto image = texture.find("image");
   TextureImage pixels = image ? decode(*image) : make_checkerboard(texture["checkerboard"]);
   if (use == Use::bumps) pixels = normal_map_from_heights(pixels, height, read_wrap(texture));
-  if (use == Use::colors && texture.text("color_space", "srgb") == "linear") pixels = encode_linear(pixels);
+  const bool is_linear = !image || texture.text("color_space", "srgb") == "linear";
+  if (use == Use::colors && is_linear) pixels = encode_linear(pixels);
   // Small files must not fill the memory with pictures that claim to be large.
   constexpr std::size_t most_bytes = std::size_t{8} << 30;
   decoded_bytes_ += pixels.bytes();
@@ -99,15 +111,11 @@ TextureImage JsonTextures::decode(const JsonNode& image) {
   return decode_texture(encoded_bytes, image.text(), file.name, image.place());
 }
 
-Vec3 JsonTextures::largest_color(const TextureSlot& slot) const {
-  const TextureImage& image = scene_.images[scene_.textures[slot.texture].image];
-  Vec3 largest(0);
-  glm::u8vec4 largest_byte(0);
-  for (const glm::u8vec4 t : image.rgba8) largest_byte = glm::max(largest_byte, t);
-  for (int c = 0; c < 3; ++c) largest[c] = linear_of_srgb_byte[largest_byte[c]];
-  for (const Vec4 t : image.rgba32)
-    for (int c = 0; c < 3; ++c) largest[c] = glm::max(largest[c], srgb_to_linear(t[c]));
-  return largest;
+Vec3 JsonTextures::largest_color(const TextureSlot& slot) {
+  const std::uint32_t image = scene_.textures[slot.texture].image;
+  const auto [entry, is_new] = largest_colors_.try_emplace(image);
+  if (is_new) entry->second = largest_linear(scene_.images[image]);
+  return entry->second;
 }
 
 }  // namespace candil

@@ -108,6 +108,15 @@ std::string printable(std::string_view text) {
   return text.size() > longest ? shown + "..." : shown;
 }
 
+std::string kept_name(std::string_view text) {
+  constexpr std::size_t longest = 200;
+  if (text.size() <= longest) return std::string(text);
+  std::size_t end = longest;
+  const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  while (end > longest - 3 && is_continuation(text[end])) --end;
+  return std::string(text.substr(0, end));
+}
+
 std::string quoted_text(std::string_view text) { return '"' + printable(text) + '"'; }
 
 Bytes read_file(const fs::path& path, const std::string& name, const std::string& place) {

@@ -13,7 +13,9 @@ using Bytes = std::vector<std::byte>;
 
 /// Text from a file as a message can show it: cut where it is long, control characters replaced.
 std::string printable(std::string_view text);
-/// The same in quotation marks.
+/// A name as a scene keeps it: cut after 200 bytes, between characters of UTF-8, since every instance has a copy.
+std::string kept_name(std::string_view text);
+/// As printable(), in quotation marks.
 std::string quoted_text(std::string_view text);
 
 /// The whole of a file. Throws InputError(path, place, ...) when it cannot be read; `name` is how messages call the

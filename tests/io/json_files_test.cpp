@@ -1,6 +1,8 @@
 /// PLY and glTF files that JSON scenes name: read once, checked, limited.
 #include <gtest/gtest.h>
 
+#include "io/error.h"
+#include "io/json_internal.h"
 #include "tests/io/gltf_sample.h"
 #include "tests/io/json_sample.h"
 #include "tests/io/ply_sample.h"
@@ -102,6 +104,40 @@ TEST(JsonGltf, LightsAndCamerasStayWithinReach) {
   EXPECT_EQ(loaded.scene.cameras.size(), 1U);
   ASSERT_EQ(loaded.scene.punctual_lights.size(), 1U);
   EXPECT_NEAR(loaded.scene.punctual_lights[0].direction.x, 1, 1e-6f);  // -Z turned by a quarter
+}
+
+TEST(JsonFiles, LongNamesAreKeptShort) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.ply", triangle_ply());
+  // 199 bytes, then a character of two: it does not fit into 200 bytes.
+  const std::string name = std::string(199, 'n') + "\u00e9" + std::string(1000, 'n');
+  GltfSample sample;
+  sample.add_triangle();
+  sample.nodes = {R"({"mesh":0,"name":")" + name + R"("})"};
+  write_text(folder / "a.gltf", sample.json());
+  const std::string member = R"(, "name": ")" + name + R"(")";
+  const Scene scene = load_json(folder, R"({"objects": [{"type": "ply", "file": "a.ply")" + member + R"(},
+    {"type": "gltf", "file": "a.gltf"}, {"type": "sphere", "center": [0, 0, 0], "radius": 1)" +
+                                            member + R"(},
+    {"type": "quad", "corners": [[0, 1, 0], [1, 1, 0], [0, 0, 0]])" +
+                                            member + R"(}]})")
+                          .scene;
+  ASSERT_EQ(scene.instances.size(), 3U);
+  for (const Instance& instance : scene.instances) EXPECT_EQ(instance.name, std::string(199, 'n'));
+  EXPECT_EQ(scene.shapes.at(0).name, std::string(199, 'n'));
+}
+
+// Each material reads the file anew: what is charged for it is its size, although nothing of it is shown.
+TEST(JsonFiles, FilesThatAreEmptyInsideAreCharged) {
+  const TemporaryFolder folder;
+  write_text(folder / "points.ply", "ply\nformat ascii 1.0\n" + vertex_element(1) + "end_header\n0 0 0\n");
+  std::filesystem::resize_file(folder / "points.ply", std::uintmax_t{5} << 30);  // a hole, not read
+  JsonGeometryFiles files;
+  write_text(folder / "scene.json", "{}");
+  const std::vector<JsonFile> read = read_json_files(folder / "scene.json");
+  const JsonNode root(read.front());
+  EXPECT_EQ(files.charge_file(root, folder / "points.ply"), std::size_t{5} << 30);
+  EXPECT_THROW(files.charge_file(root, folder / "points.ply"), InputError);
 }
 
 // The first 80 characters of two names are the same; messages cut them there.

@@ -31,6 +31,16 @@ TEST(JsonTexture, CheckerboardIsLinearAndRepeats) {
   EXPECT_NEAR(color_at(scene, -0.1f, 0.1f).x, 0.125f, 1e-5f);
 }
 
+// Roughness 0.5 is 0.5 in the texture as well.
+TEST(JsonTexture, CheckerboardsOfDataAreStoredAsTheyAre) {
+  const Scene scene = load_json(R"({"textures": {"t": {"checkerboard": [0.5, 0]}}, "objects": [{"type": "sphere",
+      "center": [0, 0, 0], "radius": 1,
+      "material": {"type": "metallic-roughness", "metallic_roughness_texture": "t"}}]})")
+                          .scene;
+  const Vec2 uv[2] = {{0.25f, 0.25f}, {0, 0}};
+  EXPECT_EQ(sample_texture(scene, scene.materials.at(0).metallic_roughness_texture, uv, ColorSpace::linear).y, 0.5f);
+}
+
 // Value 188 of 255: as sRGB about 0.5029 linear, ((188/255 + 0.055) / 1.055)^2.4; as linear 0.7373.
 TEST(JsonTexture, ColorSpace) {
   const TemporaryFolder folder;
