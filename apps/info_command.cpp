@@ -49,12 +49,14 @@ std::string to_json_text(const InfoOptions& options, const LoadedScene& loaded) 
   json["triangles"] = summary.triangles;
   json["instanced_triangles"] = summary.instanced_triangles;
   json["vertices"] = summary.vertices;
+  json["shapes"] = {{"sphere", summary.spheres}, {"disc", summary.discs}, {"plane", summary.planes}};
   json["geometry_bytes"] = summary.geometry_bytes;
   json["bytes_per_triangle"] = summary.bytes_per_triangle();
   json["materials"] = summary.materials;
   json["images"] = describe_images(loaded.scene);
   json["texture_bytes"] = summary.texture_bytes;
   json["lights"] = {{"emissive_triangles", summary.emissive_triangles},
+                    {"emissive_shapes", summary.emissive_shapes},
                     {"point", summary.point_lights},
                     {"spot", summary.spot_lights},
                     {"directional", summary.directional_lights},
@@ -82,9 +84,9 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 std::string describe_lights(const SceneSummary& summary) {
-  return fmt::format("{} emissive triangles, {} point, {} spot, {} directional, {}", summary.emissive_triangles,
-                     summary.point_lights, summary.spot_lights, summary.directional_lights,
-                     summary.has_environment ? "an environment" : "no environment");
+  return fmt::format("{} emissive triangles, {} emissive shapes, {} point, {} spot, {} directional, {}",
+                     summary.emissive_triangles, summary.emissive_shapes, summary.point_lights, summary.spot_lights,
+                     summary.directional_lights, summary.has_environment ? "an environment" : "no environment");
 }
 
 std::string describe_bounds(const Bounds& bounds) {
@@ -102,6 +104,7 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
   };
   line("meshes", fmt::format("{}, in {} objects", summary.meshes, summary.objects));
   line("triangles", fmt::format("{} ({} with instances)", summary.triangles, summary.instanced_triangles));
+  line("shapes", fmt::format("{} spheres, {} discs, {} planes", summary.spheres, summary.discs, summary.planes));
   line("instances", fmt::format("{}", summary.instances));
   line("geometry",
        fmt::format("{}, {:.0f} bytes per triangle", with_unit(summary.geometry_bytes), summary.bytes_per_triangle()));

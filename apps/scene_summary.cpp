@@ -28,6 +28,10 @@ std::size_t count_lights(const Scene& scene, PunctualKind kind) {
   return static_cast<std::size_t>(std::ranges::count(scene.punctual_lights, kind, &PunctualLight::kind));
 }
 
+std::size_t count_shapes(const Scene& scene, ShapeKind kind) {
+  return static_cast<std::size_t>(std::ranges::count(scene.shapes, kind, &Shape::kind));
+}
+
 }  // namespace
 
 double SceneSummary::bytes_per_triangle() const {
@@ -40,6 +44,11 @@ SceneSummary summarize(const Scene& scene) {
   summary.objects = scene.objects.size();
   summary.instances = scene.instances.size();
   summary.materials = scene.materials.size();
+  summary.spheres = count_shapes(scene, ShapeKind::sphere);
+  summary.discs = count_shapes(scene, ShapeKind::disc);
+  summary.planes = count_shapes(scene, ShapeKind::plane);
+  summary.emissive_shapes = static_cast<std::size_t>(std::ranges::count_if(
+      scene.shapes, [&](const Shape& shape) { return !is_black(scene.materials[shape.material].emission); }));
   for (const Mesh& mesh : scene.meshes) {
     summary.triangles += mesh.triangles.size();
     summary.vertices += mesh.positions.size();

@@ -37,6 +37,23 @@ TEST(Info, JsonParsesAndCounts) {
   EXPECT_TRUE(info["extensions_unsupported"].empty());
 }
 
+TEST(Info, CountsShapes) {
+  const TemporaryFolder folder;
+  write_text(folder / "shapes.json", R"({"materials": {"lamp": {"type": "emitter", "emission": 1}}, "objects": [
+    {"type": "sphere", "center": [0, 0, 0], "radius": 1, "instances": [[], [{"translate": [3, 0, 0]}]]},
+    {"type": "sphere", "center": [0, 3, 0], "radius": 1, "material": "lamp"},
+    {"type": "disc", "center": [0, 5, 0], "normal": [0, -1, 0], "radius": 1, "material": "lamp"},
+    {"type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0]}]})");
+  const ProgramResult result = run_program({"info", "--json", "shapes.json"}, folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json info = nlohmann::json::parse(result.output);
+  EXPECT_EQ(info["shapes"], nlohmann::json({{"sphere", 3}, {"disc", 1}, {"plane", 1}}));
+  EXPECT_EQ(info["lights"]["emissive_shapes"], 2);
+  const ProgramResult text = run_program({"info", "shapes.json"}, folder.path());
+  for (const char* const line : {"3 spheres, 1 discs, 1 planes", "2 emissive shapes"})
+    EXPECT_NE(text.output.find(line), std::string::npos) << text.output;
+}
+
 TEST(Info, NamesCamerasLightsAndUnknownExtensions) {
   const TemporaryFolder folder;
   write_text(folder / "lamp.gltf", R"({
