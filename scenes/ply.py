@@ -1,5 +1,6 @@
 """Reads and writes triangle meshes as Stanford PLY files. Standard library only."""
 
+import os
 import struct
 import sys
 from array import array
@@ -21,7 +22,13 @@ def write_ply(path, positions, triangles, normals=None, comment=None):
         vertices.byteswap()
     pack = struct.Struct("<B3i").pack
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes("\n".join(header).encode() + vertices.tobytes() + b"".join(pack(3, *t) for t in triangles))
+    # The whole file or none: what is there is taken for good.
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        beside.write_bytes("\n".join(header).encode() + vertices.tobytes() + b"".join(pack(3, *t) for t in triangles))
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def read_ply(path):
