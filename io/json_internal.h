@@ -31,15 +31,17 @@ class JsonTextures {
 
   /// A slot that is looked up as sRGB; colours that are stored linear are encoded for it.
   TextureSlot colors(const JsonNode& name);
-  /// A slot of values as they are stored, such as normals.
+  /// A slot of values as they are stored, such as roughness.
   TextureSlot data(const JsonNode& name);
-  /// A normal map made from heights (io/bump_map.h).
+  /// A normal map, turned as its image is on the surface. Not for mirrored images.
+  TextureSlot normals(const JsonNode& name);
+  /// The same, made from heights (io/bump_map.h).
   TextureSlot bumps(const JsonNode& name, float height);
   /// Largest colour of a slot that colors() gave, linear.
   Vec3 largest_color(const TextureSlot& slot);
 
  private:
-  enum class Use { colors, data, bumps };
+  enum class Use { colors, data, normals, bumps };
   TextureSlot slot(const JsonNode& name, Use use, float height);
   TextureImage make_image(const JsonNode& texture, Use use, float height);
   TextureImage decode(const JsonNode& image);

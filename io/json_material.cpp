@@ -150,7 +150,7 @@ class MaterialReader {
     const auto normals = source_.find("normal_map"), bumps = source_.find("bump_map");
     if (normals && bumps) source_.fail("must not have both \"normal_map\" and \"bump_map\"");
     if (normals) {
-      material_.normal_texture = textures_.data((*normals)["texture"]);
+      material_.normal_texture = textures_.normals((*normals)["texture"]);
       material_.normal_scale = normals->number("scale", 1);
     }
     if (bumps) material_.normal_texture = textures_.bumps((*bumps)["texture"], (*bumps)["height"].number());

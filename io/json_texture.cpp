@@ -51,11 +51,34 @@ Wrap read_wrap(const JsonNode& texture) {
   return wrap == "clamp" ? Wrap::clamp : wrap == "mirror" ? Wrap::mirror : Wrap::repeat;
 }
 
+Vec2 read_repeat(const JsonNode& texture) {
+  const auto repeat = texture.find("repeat");
+  if (!repeat) return Vec2(1);
+  return repeat->is_array() ? repeat->vec2() : Vec2(repeat->number());
+}
+
+/// A normal map as it is along the texture coordinates of the surface: there, rotation and a negative repeat turn and
+/// flip what the image says. Its size is no matter, since slopes are heights over widths of the image.
+TextureImage turned_normals(TextureImage normals, const JsonNode& texture) {
+  const Vec2 repeat = read_repeat(texture), sign(repeat.x < 0 ? -1 : 1, repeat.y < 0 ? -1 : 1);
+  const float angle = texture.radians("rotation", 0), cosine = std::cos(angle), sine = std::sin(angle);
+  if (angle == 0 && sign == Vec2(1)) return normals;
+  for (const glm::u8vec4 t : normals.rgba8) normals.rgba32.push_back(Vec4(t) / 255.0f);
+  normals.rgba8 = {};
+  for (Vec4& t : normals.rgba32) {
+    // The transpose of what set_transform() does to (u, v), v downwards.
+    const float x = 2 * t.x - 1, down = 1 - 2 * t.y;
+    t.x = 0.5f + 0.5f * sign.x * (cosine * x - sine * down);
+    t.y = 0.5f - 0.5f * sign.y * (sine * x + cosine * down);
+  }
+  return normals;
+}
+
 /// The transform of KHR_texture_transform: offset * rotation * repeat applied to (u, v), the rotation
 /// counter-clockwise in the image.
 void set_transform(TextureSlot& slot, const JsonNode& texture) {
-  Vec2 scale(1), offset(0);
-  if (const auto repeat = texture.find("repeat")) scale = repeat->is_array() ? repeat->vec2() : Vec2(repeat->number());
+  const Vec2 scale = read_repeat(texture);
+  Vec2 offset(0);
   if (const auto shift = texture.find("offset")) offset = shift->vec2();
   const float angle = texture.radians("rotation", 0), cosine = std::cos(angle), sine = std::sin(angle);
   slot.row_u = {cosine * scale.x, sine * scale.y, offset.x};
@@ -66,13 +89,16 @@ void set_transform(TextureSlot& slot, const JsonNode& texture) {
 
 TextureSlot JsonTextures::colors(const JsonNode& name) { return slot(name, Use::colors, 0); }
 TextureSlot JsonTextures::data(const JsonNode& name) { return slot(name, Use::data, 0); }
+TextureSlot JsonTextures::normals(const JsonNode& name) { return slot(name, Use::normals, 0); }
 TextureSlot JsonTextures::bumps(const JsonNode& name, float height) { return slot(name, Use::bumps, height); }
 
 TextureSlot JsonTextures::slot(const JsonNode& name, Use use, float height) {
   const JsonNode texture = find_named(files_, "textures", name);
-  const std::string variant = use == Use::colors ? "colors"
-                              : use == Use::data ? "data"
-                                                 : std::to_string(std::bit_cast<std::uint32_t>(height));
+  const bool is_normals = use == Use::normals || use == Use::bumps;
+  if (is_normals && read_wrap(texture) == Wrap::mirror)
+    name.fail("must not be a texture with \"wrap\": \"mirror\", in which bumps would become dents");
+  const std::string variant = std::to_string(static_cast<int>(use)) + " " + (is_normals ? name.text() : "") + " " +
+                              std::to_string(std::bit_cast<std::uint32_t>(height));
   const auto [entry, is_new] = texture_ids_.try_emplace(variant + " " + name.text(), invalid_id);
   if (is_new) {
     const auto file = texture.find("image");
@@ -96,6 +122,7 @@ TextureImage JsonTextures::make_image(const JsonNode& texture, Use use, float he
   const auto image = texture.find("image");
   TextureImage pixels = image ? decode(*image) : make_checkerboard(texture["checkerboard"]);
   if (use == Use::bumps) pixels = normal_map_from_heights(pixels, height, read_wrap(texture));
+  if (use == Use::bumps || use == Use::normals) pixels = turned_normals(std::move(pixels), texture);
   const bool is_linear = !image || texture.text("color_space", "srgb") == "linear";
   if (use == Use::colors && is_linear) pixels = encode_linear(pixels);
   // Small files must not fill the memory with pictures that claim to be large.

@@ -3,6 +3,7 @@
 
 #include "core/texture.h"
 #include "io/bump_map.h"
+#include "io/image_file.h"
 #include "tests/io/json_sample.h"
 
 namespace candil::test {
@@ -94,6 +95,55 @@ TEST(BumpMap, RowsGoDownAndEdgesWrap) {
   EXPECT_NEAR(normal(1).y, expected.y, 1e-5f);
   // First row: its neighbours are 0.4 above (wrapped) and 0.2 below: slope (0.2 - 0.4) / 0.5 = -0.4 downwards.
   EXPECT_NEAR(normal(0).y, glm::normalize(Vec3(0, -0.4f, 1)).y, 1e-5f);
+}
+
+/// The normal at (u, v) of the surface that a texture of bumps, or of the normals that they make, gives.
+Vec3 mapped_normal(const TemporaryFolder& folder, const std::string& transform, const std::string& map, Vec2 at) {
+  const Scene scene = load_json(folder, R"({"textures": {"t": {)" + transform + R"(}}, "objects": [{"type": "sphere",
+    "center": [0, 0, 0], "radius": 1, "material": {"type": "lambertian", )" +
+                                            map + "}}]}")
+                          .scene;
+  const Vec2 uv[2] = {at, {0, 0}};
+  return 2.0f * Vec3(sample_texture(scene, scene.materials.at(0).normal_texture, uv, ColorSpace::linear)) - 1.0f;
+}
+
+// A ramp to the right: its normals lean to the left, (-x, 0). Looked up at (u', v') = R S (u, v), the height rises
+// along the gradient S R^T (1, 0) in (u, v), v downwards. Rotation by 90 degrees has u' = v, v' = -u: it rises along v,
+// down; the normal leans up. A repeat of -1 has u' = -u: it rises to the left.
+TEST(BumpMap, TurnsWithItsImage) {
+  const TemporaryFolder folder;
+  write_grey_png(folder / "ramp.png", 5, 5, {0,   51,  102, 153, 204, 0,   51,  102, 153, 204, 0,   51, 102,
+                                             153, 204, 0,   51,  102, 153, 204, 0,   51,  102, 153, 204});
+  const std::string image = R"("image": "ramp.png")", map = R"("bump_map": {"texture": "t", "height": 1})";
+  // 0.4 over two pixels of 1/5 is a slope of 1.
+  const float lean = 1 / std::sqrt(2.0f);
+  const auto expect_normal = [&](const std::string& transform, Vec2 at, Vec3 expected) {
+    const Vec3 normal = mapped_normal(folder, image + transform, map, at);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(normal[i], expected[i], 1e-5f) << transform << " " << i;
+  };
+  expect_normal("", {0.5f, 0.5f}, {-lean, 0, lean});
+  expect_normal(R"(, "rotation": 90)", {-0.5f, 0.5f}, {0, lean, lean});
+  expect_normal(R"(, "rotation": -90)", {0.5f, -0.5f}, {0, -lean, lean});
+  expect_normal(R"(, "repeat": [-1, 1])", {-0.5f, 0.5f}, {lean, 0, lean});
+  expect_normal(R"(, "repeat": [-1, 1], "rotation": 180)", {0.5f, -0.5f}, {-lean, 0, lean});
+}
+
+// The stored normal (1, 0) of a normal map turns the same way; those of one image do not get mixed up.
+TEST(NormalMap, TurnsWithItsImage) {
+  const TemporaryFolder folder;
+  Image image(1, 1, 3);
+  image.pixels = {1, 0.5f, 0.5f};
+  write_image(folder / "n.png", image, false, {});
+  const std::string map = R"("normal_map": {"texture": "t"})";
+  EXPECT_NEAR(mapped_normal(folder, R"("image": "n.png")", map, Vec2(0.5f)).x, 1, 1e-5f);
+  const Vec3 turned = mapped_normal(folder, R"("image": "n.png", "rotation": 90)", map, Vec2(0.5f));
+  EXPECT_NEAR(turned.x, 0, 0.01f);  // 0.5 is not a byte
+  EXPECT_NEAR(turned.y, -1, 1e-5f);
+  EXPECT_EQ(
+      json_error(folder, R"({"textures": {"t": {"image": "n.png", "wrap": "mirror"}}, "objects": [{"type": "sphere",
+    "center": [0, 0, 0], "radius": 1, "material": {"type": "mirror", "normal_map": {"texture": "t"}}}]})"),
+      "scene.json: objects[0].material.normal_map.texture: must not be a texture with \"wrap\": \"mirror\", in "
+      "which bumps would become dents");
 }
 
 TEST(BumpMap, GivesMeshesTangents) {
