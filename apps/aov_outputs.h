@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/outputs.h"
+#include "core/scene.h"
 #include "integrators/aov.h"
 
 namespace candil {

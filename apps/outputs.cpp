@@ -77,15 +77,15 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& names, const fs
   return outputs;
 }
 
-void check_inputs_survive(std::span<const Output> outputs, const fs::path& scene_file, const Scene& scene,
-                          const fs::path& environment_file) {
-  std::vector<fs::path> inputs = {scene_file, environment_file};
-  for (const TextureImage& image : scene.images) inputs.push_back(scene_file.parent_path() / image.name);
-  for (const Output& output : outputs)
-    for (const fs::path& input : inputs)
-      if (is_same_file(output.path, input))
-        throw UsageError(fmt::format("-o: {} is a file that the scene is made of; choose another name with -o",
-                                     output.path.string()));
+void check_inputs_survive(std::span<const Output> outputs, const fs::path& statistics,
+                          std::span<const fs::path> inputs) {
+  const auto check = [&](const char* option, const fs::path& file) {
+    if (std::ranges::any_of(inputs, [&](const fs::path& input) { return is_same_file(file, input); }))
+      throw UsageError(fmt::format("{0}: {1} is a file that the scene is made of; choose another name with {0}", option,
+                                   file.string()));
+  };
+  for (const Output& output : outputs) check("-o", output.path);
+  check("--stats", statistics);
 }
 
 void check_input_survives(std::span<const Output> outputs, const fs::path& input) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/image.h"
-#include "core/scene.h"
 #include "core/tonemap.h"
 #include "io/image_file.h"
 
@@ -33,10 +32,9 @@ struct DisplayOptions {
 /// and for standard output twice, OutputError for what cannot be written.
 std::vector<Output> plan_outputs(const std::vector<std::string>& names, const std::filesystem::path& input);
 
-/// Throws UsageError when an output would replace a file that the render reads: the scene, one of its images, or the
-/// environment.
-void check_inputs_survive(std::span<const Output> outputs, const std::filesystem::path& scene_file, const Scene& scene,
-                          const std::filesystem::path& environment_file);
+/// Throws UsageError when an output or the statistics (no path: none) would replace one of the files that were read.
+void check_inputs_survive(std::span<const Output> outputs, const std::filesystem::path& statistics,
+                          std::span<const std::filesystem::path> inputs);
 
 /// Throws UsageError when an output would replace `input`.
 void check_input_survives(std::span<const Output> outputs, const std::filesystem::path& input);

@@ -32,6 +32,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// is.
 struct PreparedScene {
   Scene scene;
+  std::vector<std::filesystem::path> files;  // that were read
   RenderDefaults defaults;
   std::unique_ptr<Accelerator> accelerator;
   std::unique_ptr<LightSampler> lights;
@@ -43,6 +44,8 @@ void load(const RenderOptions& options, PreparedScene& prepared) {
   LoadedScene loaded = load_scene(options.scene);
   for (const std::string& warning : loaded.warnings) print_warning(warning);
   prepared.scene = std::move(loaded.scene);
+  prepared.files = std::move(loaded.files);
+  if (!options.environment.image.empty()) prepared.files.push_back(options.environment.image);
   prepared.scene.environment = choose_environment(prepared.scene, options.environment, loaded.is_lit);
   prepared.defaults = std::move(loaded.render_defaults);
 }
@@ -112,7 +115,7 @@ int run_render(const RenderOptions& asked) {
   tbb::task_arena arena(asked.settings.threads);
   const std::unique_ptr<PreparedScene> prepared = arena.execute([&] { return prepare(asked); });
   const RenderOptions options = with_file_defaults(asked, prepared->defaults);
-  check_inputs_survive(files, options.scene, prepared->scene, options.environment.image);
+  check_inputs_survive(files, options.statistics, prepared->files);
 
   const CameraChoice camera = choose_camera(prepared->scene, options.camera, options.size);
   RenderSettings settings = options.settings;

@@ -113,12 +113,12 @@ const json& array_of(const json& root, const char* property) {
 /// The bytes that buffers[index] declares. `loaded` keeps those that are not part of the file.
 std::span<const std::byte> load_buffer(const json& buffer, std::size_t index, const GltfContainer& container,
                                        const std::filesystem::path& folder, const std::string& name,
-                                       std::vector<Bytes>& loaded) {
+                                       std::vector<Bytes>& loaded, std::vector<std::filesystem::path>& files) {
   const std::string place = "buffers[" + std::to_string(index) + "]";
   std::span<const std::byte> bytes;
   if (buffer.contains("uri")) {
     bytes = loaded.emplace_back(
-        read_reference(folder, buffer.at("uri").get_ref<const std::string&>(), name, place + ".uri"));
+        read_reference(folder, buffer.at("uri").get_ref<const std::string&>(), name, place + ".uri", files));
   } else if (index == 0 && container.binary) {
     bytes = *container.binary;
   } else {
@@ -191,7 +191,7 @@ std::unique_ptr<tinygltf::Model> parse_model(const std::string& text, const std:
 }  // namespace
 
 GltfDocument::GltfDocument(const std::filesystem::path& path)
-    : name_(path.string()), folder_(path.parent_path()), file_(read_file(path, name_, "")) {
+    : name_(path.string()), folder_(path.parent_path()), files_({path}), file_(read_file(path, name_, "")) {
   const GltfContainer container = split_gltf(file_, name_);
   json root = parse_json(container.json, name_);
   check_version(root, name_);
@@ -206,7 +206,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& path)
   const json& buffer_list = array_of(root, "buffers");
   loaded_buffers_.reserve(buffer_list.size());  // spans into it must stay valid
   for (const json& buffer : buffer_list) {
-    buffers.push_back(load_buffer(buffer, buffers.size(), container, folder_, name_, loaded_buffers_));
+    buffers.push_back(load_buffer(buffer, buffers.size(), container, folder_, name_, loaded_buffers_, files_));
     total_bytes_ += buffers.back().size();
   }
   for (const json& view : array_of(root, "bufferViews")) {

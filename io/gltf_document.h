@@ -36,6 +36,8 @@ class GltfDocument {
   /// How messages call the file.
   const std::string& name() const { return name_; }
   const std::filesystem::path& folder() const { return folder_; }
+  /// The file itself and those of its buffers.
+  const std::vector<std::filesystem::path>& files() const { return files_; }
   const std::vector<GltfImageSource>& images() const { return images_; }
   /// The bytes of bufferViews[index]; checked to lie in their buffer.
   std::span<const std::byte> buffer_view(std::size_t index) const { return views_[index]; }
@@ -50,6 +52,7 @@ class GltfDocument {
  private:
   std::string name_;
   std::filesystem::path folder_;
+  std::vector<std::filesystem::path> files_;
   Bytes file_;
   std::vector<Bytes> loaded_buffers_;  // the ones outside of `file_`
   std::vector<std::span<const std::byte>> views_;

@@ -50,8 +50,9 @@ class TextureTable {
   /// read.
   std::uint32_t texture(int index);
 
-  /// Reads and decodes all images in parallel into Scene::images. Throws InputError for the first bad one.
-  void decode_images();
+  /// Reads and decodes all images in parallel into Scene::images. Throws InputError for the first bad one. Returns the
+  /// files that were read.
+  std::vector<std::filesystem::path> decode_images();
 
  private:
   /// The image of a texture; EXT_texture_webp may bring a fallback for readers that have no WebP.
@@ -63,7 +64,7 @@ class TextureTable {
   std::uint32_t image(ImageChoice choice);
   /// The first image with the same source: exporters list a file once per texture.
   std::size_t first_alike(std::size_t image);
-  TextureImage decode(std::size_t index) const;
+  TextureImage decode(std::size_t index, std::vector<std::filesystem::path>& files) const;
 
   const GltfDocument& document_;
   Scene& scene_;

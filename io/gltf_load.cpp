@@ -33,7 +33,8 @@ LoadedScene load_gltf(const std::filesystem::path& path) {
   add_cameras(document, nodes, loaded.scene, warnings);
   add_lights(document, nodes, loaded.scene, warnings);
   check_accessors(document);
-  textures.decode_images();
+  loaded.files = document.files();
+  for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
 
   bake_single_instances(loaded.scene);
   loaded.warnings = warnings.take();

@@ -103,22 +103,23 @@ std::uint32_t TextureTable::image(ImageChoice choice) {
   return entry->second;
 }
 
-TextureImage TextureTable::decode(std::size_t index) const {
+TextureImage TextureTable::decode(std::size_t index, std::vector<std::filesystem::path>& files) const {
   const GltfImageSource& source = document_.images()[index];
   const std::string place = image_place(index, source), name = image_name(index, source);
   if (source.buffer_view >= 0) {
     return decode_texture(document_.buffer_view(static_cast<std::size_t>(source.buffer_view)), name, document_.name(),
                           place);
   }
-  const Bytes encoded = read_reference(document_.folder(), source.uri, document_.name(), place);
+  const Bytes encoded = read_reference(document_.folder(), source.uri, document_.name(), place, files);
   return decode_texture(encoded, name, document_.name(), place);
 }
 
-void TextureTable::decode_images() {
+std::vector<std::filesystem::path> TextureTable::decode_images() {
   const std::size_t count = image_choices_.size();
   scene_.images.resize(count);
   std::vector<std::exception_ptr> errors(count);
   std::vector<std::string> fallback_reasons(count);
+  std::vector<std::vector<std::filesystem::path>> files(count);
   // One file must not fill the memory with small pictures that claim to be large.
   constexpr std::size_t most_bytes = std::size_t{8} << 30;
   std::atomic<std::size_t> decoded_bytes = 0;
@@ -128,24 +129,27 @@ void TextureTable::decode_images() {
     try {
       if (decoded_bytes > most_bytes) document_.fail("images", "need more than 8 GiB when decoded");
       try {
-        scene_.images[i] = decode(choice.first);
+        scene_.images[i] = decode(choice.first, files[i]);
       } catch (const InputError& error) {
         if (!choice.fallback) throw;
         fallback_reasons[i] = error.what();
-        scene_.images[i] = decode(*choice.fallback);
+        scene_.images[i] = decode(*choice.fallback, files[i]);
       }
       decoded_bytes += scene_.images[i].bytes();
     } catch (...) {
       errors[i] = std::current_exception();
     }
   });
+  std::vector<std::filesystem::path> all_files;
   for (std::size_t i = 0; i < count; ++i) {
     if (errors[i]) std::rethrow_exception(errors[i]);
+    all_files.insert(all_files.end(), files[i].begin(), files[i].end());
     if (!fallback_reasons[i].empty()) {
       warnings_.add(indexed("images", image_choices_[i].first),
                     "the fallback image is used (" + fallback_reasons[i] + ")");
     }
   }
+  return all_files;
 }
 
 TextureSlot make_texture_slot(const TextureUse& use, const std::string& place, TextureTable& textures,

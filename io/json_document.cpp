@@ -19,7 +19,7 @@ class IncludeReader {
  public:
   /// `path` exists when it was included; `place` then is where.
   void read(const fs::path& path, const std::string& name) {
-    JsonFile file{name, path.parent_path(), nullptr};
+    JsonFile file{name, path.parent_path(), nullptr, path};
     const Bytes bytes = read_file(path, name, "");
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     file.root = std::make_shared<const json>(parse_json_with_comments(text, name));

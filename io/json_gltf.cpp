@@ -89,6 +89,7 @@ JsonGeometryFiles::Gltf add_file(const JsonNode& object, LoadedScene part, std::
   gltf.lights = std::move(part.scene.punctual_lights);
   gltf.cameras = std::move(part.scene.cameras);
   for (const std::string& warning : part.warnings) loaded.warnings.push_back(object.place() + ": " + warning);
+  append(loaded.files, part.files);
   append(loaded.extensions_used, part.extensions_used);
   append(loaded.extensions_unsupported, part.extensions_unsupported);
   return gltf;

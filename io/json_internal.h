@@ -27,7 +27,8 @@ std::filesystem::path referenced_file(const JsonNode& reference);
 /// Textures by name; images are decoded and ids of Scene::textures given on first use.
 class JsonTextures {
  public:
-  JsonTextures(const std::vector<JsonFile>& files, Scene& scene) : files_(files), scene_(scene) {}
+  JsonTextures(const std::vector<JsonFile>& files, LoadedScene& loaded)
+      : files_(files), scene_(loaded.scene), files_read_(loaded.files) {}
 
   /// A slot that is looked up as sRGB; colours that are stored linear are encoded for it.
   TextureSlot colors(const JsonNode& name);
@@ -48,6 +49,7 @@ class JsonTextures {
 
   const std::vector<JsonFile>& files_;
   Scene& scene_;
+  std::vector<std::filesystem::path>& files_read_;
   std::map<std::string, std::uint32_t> texture_ids_, image_ids_;
   std::map<std::uint32_t, Vec3> largest_colors_;  // by image
   std::size_t decoded_bytes_ = 0;
@@ -124,7 +126,7 @@ void add_gltf(const JsonNode& object, JsonMaterials& materials, JsonGeometryFile
 
 void add_cameras(const std::vector<JsonFile>& files, Scene& scene);
 void add_light(const JsonNode& light, Scene& scene);
-Environment read_environment_of(const JsonNode& environment);
+Environment read_environment_of(const JsonNode& environment, LoadedScene& loaded);
 RenderDefaults read_render_defaults(const std::vector<JsonFile>& files);
 
 /// The whole loader for JSON scenes.

@@ -29,7 +29,7 @@ void add_light(const JsonNode& light, Scene& scene) {
   scene.punctual_lights.push_back(std::move(result));
 }
 
-Environment read_environment_of(const JsonNode& environment) {
+Environment read_environment_of(const JsonNode& environment, LoadedScene& loaded) {
   Environment result;
   if (const auto color = environment.find("color")) {
     result.tint = color->color();
@@ -37,7 +37,8 @@ Environment read_environment_of(const JsonNode& environment) {
   }
   const JsonNode image = environment["image"];
   try {
-    result.image = read_environment(referenced_file(image));
+    loaded.files.push_back(referenced_file(image));
+    result.image = read_environment(loaded.files.back());
   } catch (const InputError& error) {
     const std::string message = error.what();
     if (message.starts_with(image.file().name + ": ")) throw;

@@ -91,16 +91,17 @@ RenderDefaults read_render_defaults(const std::vector<JsonFile>& files) {
 LoadedScene load_json_scene(const std::filesystem::path& path) {
   const std::vector<JsonFile> files = read_json_files(path);
   LoadedScene loaded;
+  for (const JsonFile& file : files) loaded.files.push_back(file.path);
   Scene& scene = loaded.scene;
   add_cameras(files, scene);
   const auto medium = find_last(files, "medium");
-  JsonTextures textures(files, scene);
+  JsonTextures textures(files, loaded);
   JsonMaterials materials(files, scene, textures, medium ? medium->number("ior", 1) : 1);
   JsonGeometryFiles geometry;
   for_each_element(files, "objects", [&](const JsonNode& object) { add_object(object, materials, geometry, loaded); });
   for_each_element(files, "lights", [&](const JsonNode& light) { add_light(light, scene); });
   const auto environment = find_last(files, "environment");
-  if (environment) scene.environment = read_environment_of(*environment);
+  if (environment) scene.environment = read_environment_of(*environment, loaded);
   loaded.is_lit = environment || !scene.punctual_lights.empty() || has_emission(scene);
   loaded.render_defaults = read_render_defaults(files);
   sort_unique(loaded.extensions_used);

@@ -19,6 +19,7 @@ struct JsonFile {
   std::string name;              ///< For messages.
   std::filesystem::path folder;  ///< What it refers to lies in here.
   std::shared_ptr<const nlohmann::json> root;
+  std::filesystem::path path;
 };
 
 /// Reads what the schema has checked: types, counts and ranges need no further look. Small, passed by value.

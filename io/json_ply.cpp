@@ -64,6 +64,7 @@ void add_ply(const JsonNode& object, JsonMaterials& materials, JsonGeometryFiles
   if (is_new) {
     const auto known = geometry.ply_meshes.find(mesh_key);
     const bool is_known = known != geometry.ply_meshes.end();
+    if (!is_known) loaded.files.push_back(path);
     const std::size_t charged = is_known ? 0 : geometry.charge_file(object, path);
     Mesh mesh = is_known ? copy_of(scene.meshes[known->second]) : load_part(object, path, options, loaded.warnings);
     geometry.charge(object, std::max(geometry_bytes(mesh), charged) - charged);

@@ -134,7 +134,8 @@ TextureImage JsonTextures::make_image(const JsonNode& texture, Use use, float he
 
 TextureImage JsonTextures::decode(const JsonNode& image) {
   const JsonFile& file = image.file();
-  const Bytes encoded_bytes = read_file(referenced_file(image), file.name, image.place());
+  files_read_.push_back(referenced_file(image));
+  const Bytes encoded_bytes = read_file(files_read_.back(), file.name, image.place());
   return decode_texture(encoded_bytes, image.text(), file.name, image.place());
 }
 

@@ -26,6 +26,7 @@ struct LoadedScene {
   std::vector<std::string> warnings;  ///< One line each; oddities that do not stop a render.
   std::vector<std::string> extensions_used;         ///< As the file lists them, sorted.
   std::vector<std::string> extensions_unsupported;  ///< Those of them that were ignored.
+  std::vector<std::filesystem::path> files;         ///< All that were read, for programs that must not replace them.
   RenderDefaults render_defaults;                   ///< Of a JSON scene.
   /// The file says what lights it, be it darkness: a JSON scene with lights, an emitting material or an environment.
   /// Otherwise has_light() may tell.

@@ -8,6 +8,7 @@ namespace candil {
 
 LoadedScene load_ply_scene(const std::filesystem::path& path) {
   LoadedScene loaded;
+  loaded.files = {path};
   Mesh mesh = load_ply(path, {}, loaded.warnings);
   if (mesh.triangles.empty()) return loaded;
   if (mesh.normals.empty()) compute_smooth_normals(mesh, glm::radians(40.0f));

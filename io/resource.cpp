@@ -178,9 +178,11 @@ Bytes decode_data_uri(std::string_view uri, const std::string& name, const std::
   return std::move(*bytes);
 }
 
-Bytes read_reference(const fs::path& folder, std::string_view uri, const std::string& name, const std::string& place) {
+Bytes read_reference(const fs::path& folder, std::string_view uri, const std::string& name, const std::string& place,
+                     std::vector<fs::path>& files) {
   if (is_data_uri(uri)) return decode_data_uri(uri, name, place);
-  return read_file(resolve_reference(folder, uri, name, place), name, place);
+  files.push_back(resolve_reference(folder, uri, name, place));
+  return read_file(files.back(), name, place);
 }
 
 }  // namespace candil

@@ -34,8 +34,8 @@ bool is_data_uri(std::string_view uri);
 /// InputError(name, place, ...) when it is malformed.
 Bytes decode_data_uri(std::string_view uri, const std::string& name, const std::string& place);
 
-/// decode_data_uri() or read_file(resolve_reference()), as the URI demands.
+/// decode_data_uri() or read_file(resolve_reference()), as the URI demands. The file, if any, is added to `files`.
 Bytes read_reference(const std::filesystem::path& folder, std::string_view uri, const std::string& name,
-                     const std::string& place);
+                     const std::string& place, std::vector<std::filesystem::path>& files);
 
 }  // namespace candil
