@@ -1,9 +1,8 @@
 /// An emissive sphere, disc or infinite plane as a light: directions from a point towards it, and their density.
 ///
 /// - Sphere, stretched or not: uniform over the cone of directions in which the point sees it, in the sphere's own
-/// space,
-///   where it is round; a direction that the transform M makes of the unit vector d there has 1/|det M| |M d|^3 times
-///   its density. From inside of it the cone is the whole sphere.
+///   space, where it is round; a direction that the transform M makes of the unit vector d there has
+///   1/|det M| |M d|^3 times its density. From inside of it the cone is the whole sphere.
 /// - Disc, stretched or not: uniform over its area.
 /// - Plane: uniform over the hemisphere of directions towards it, 1/(2 pi).
 ///
