@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <ostream>
 #include <stdexcept>
 #include <vector>
 
@@ -12,11 +13,18 @@ namespace candil::test {
 namespace {
 
 constexpr int channels = 3;
+constexpr int parts = 4;
 constexpr int block_size = 8;
 /// Values that do not vary at all may still differ in their last bits, and are stored rounded.
 constexpr float smallest_spread = 0x1p-11f;
+/// Significant bits of stored means and examples, and of spreads and limits.
+constexpr int value_bits = 11, limit_bits = 8;
 
-float compressed(float radiance) { return radiance / (1 + radiance); }
+float compressed(float radiance) {
+  const float value = radiance / (1 + radiance);
+  if (!std::isfinite(value)) throw std::runtime_error("a pixel is not finite");
+  return value;
+}
 
 Image compressed(const Image& radiance) {
   Image result(radiance.width, radiance.height, channels);
@@ -48,6 +56,11 @@ float rounded(float value, int bits) {
   return std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) + half) & ~((1u << dropped) - 1));
 }
 
+Image rounded(Image image, int bits) {
+  for (float& value : image.pixels) value = rounded(value, bits);
+  return image;
+}
+
 /// Sums over a set of pixels of one channel.
 struct Score {
   double difference = 0, variance = 0, variance_squared = 0;
@@ -66,48 +79,70 @@ struct Score {
   }
 };
 
+/// Of channel c of two images of compressed values, `now` not rounded yet.
+double paired_score(const Image& stored, const Image& now, int c) {
+  // One step of rounding is at most 2^-10 of a value; less than twice that is no difference.
+  constexpr float step = 0x1p-9f;
+  double sum = 0, squares = 0;
+  for (std::size_t i = c; i < stored.pixels.size(); i += channels) {
+    const float a = stored.pixels[i], b = rounded(now.pixels[i], value_bits);
+    const double beyond = std::max(0.0f, std::abs(b - a) - step * std::max(a, b));
+    sum += std::copysign(beyond, b - a);
+    squares += beyond * beyond;
+  }
+  return squares > 0 ? std::abs(sum) / std::sqrt(squares) : 0;
+}
+
 }  // namespace
 
 Golden make_golden(const std::function<Image(std::uint64_t seed)>& replicate) {
-  std::vector<Image> replicates;
-  for (int seed = 1; seed <= golden_replicates; ++seed) replicates.push_back(compressed(replicate(seed)));
+  std::vector<Image> replicates, others;
+  for (int seed = 1; seed <= golden_replicates; ++seed) {
+    replicates.push_back(compressed(replicate(seed)));
+    others.push_back(compressed(replicate(golden_replicates + seed)));
+  }
   const Image& first = replicates.front();
   const Image black(first.width, first.height, channels);
-  Golden golden{black, black, black};
+  Golden golden{black, black, black, rounded(compressed(replicate(0)), value_bits)};
   std::vector<float> values(golden_replicates);
   for (std::size_t i = 0; i < first.pixels.size(); ++i) {
-    std::transform(replicates.begin(), replicates.end(), values.begin(), [&](const Image& r) { return r.pixels[i]; });
-    const float limit = rounded(cut_limit(values), 8);
+    const auto value = [&](const Image& image) { return image.pixels[i]; };
+    std::transform(others.begin(), others.end(), values.begin(), value);
+    const float limit = rounded(cut_limit(values), limit_bits);
+    std::transform(replicates.begin(), replicates.end(), values.begin(), value);
     double sum = 0, squares = 0;
-    for (float& value : values) sum += value = std::min(value, limit);
+    for (float& v : values) sum += v = std::min(v, limit);
     const double mean = sum / golden_replicates;
-    for (const float value : values) squares += (value - mean) * (value - mean);
-    golden.mean.pixels[i] = rounded(static_cast<float>(mean), 11);
-    golden.spread.pixels[i] = rounded(static_cast<float>(std::sqrt(squares / (golden_replicates - 1))), 8);
+    for (const float v : values) squares += (v - mean) * (v - mean);
+    golden.mean.pixels[i] = rounded(static_cast<float>(mean), value_bits);
+    golden.spread.pixels[i] = rounded(static_cast<float>(std::sqrt(squares / (golden_replicates - 1))), limit_bits);
     golden.limit.pixels[i] = limit;
   }
   return golden;
 }
 
 void write_golden(const std::filesystem::path& path, const Golden& golden) {
-  Image stacked(golden.mean.width, 3 * golden.mean.height, channels);
-  auto end = std::copy(golden.mean.pixels.begin(), golden.mean.pixels.end(), stacked.pixels.begin());
-  end = std::copy(golden.spread.pixels.begin(), golden.spread.pixels.end(), end);
-  std::copy(golden.limit.pixels.begin(), golden.limit.pixels.end(), end);
-  write_image(path, stacked, false, {{"candil:golden", "mean, spread and limit of radiance / (1 + radiance)"}});
+  Image stacked(golden.mean.width, parts * golden.mean.height, channels);
+  auto end = stacked.pixels.begin();
+  for (const Image* part : {&golden.mean, &golden.spread, &golden.limit, &golden.example})
+    end = std::copy(part->pixels.begin(), part->pixels.end(), end);
+  write_image(path, stacked, false,
+              {{"candil:golden", "mean, spread, limit and example of radiance / (1 + radiance)"}});
 }
 
 Golden read_golden(const std::filesystem::path& path) {
   const Image stacked = read_image(path);
-  if (stacked.channels != channels || stacked.height % 3 != 0)
+  if (stacked.channels != channels || stacked.height % parts != 0)
     throw std::runtime_error(path.string() + ": is not a golden image");
+  if (!std::all_of(stacked.pixels.begin(), stacked.pixels.end(), [](float value) { return std::isfinite(value); }))
+    throw std::runtime_error(path.string() + ": a value is not finite");
   const auto part = [&](int index) {
-    Image image(stacked.width, stacked.height / 3, channels);
+    Image image(stacked.width, stacked.height / parts, channels);
     std::copy_n(stacked.pixels.begin() + index * static_cast<std::ptrdiff_t>(image.pixels.size()), image.pixels.size(),
                 image.pixels.begin());
     return image;
   };
-  return {part(0), part(1), part(2)};
+  return {part(0), part(1), part(2), part(3)};
 }
 
 Deviation deviation(const Golden& golden, const Image& render) {
@@ -142,9 +177,22 @@ Deviation deviation(const Golden& golden, const Image& render) {
       }
     }
   }
-  for (const Score& score : image) result.image = std::max(result.image, score.normal_deviate());
+  for (int c = 0; c < channels; ++c) {
+    result.image = std::max(result.image, image[c].normal_deviate());
+    result.paired = std::max(result.paired, paired_score(golden.example, values, c));
+  }
   result.outlier_share = static_cast<double>(std::count(is_outlier.begin(), is_outlier.end(), 1)) / is_outlier.size();
   return result;
+}
+
+bool is_within_limits(const Deviation& deviation) {
+  return deviation.image <= image_limit && deviation.block <= block_limit && deviation.outlier_share <= outlier_limit &&
+         deviation.paired <= paired_limit;
+}
+
+void PrintTo(const Deviation& deviation, std::ostream* stream) {
+  *stream << "image " << deviation.image << ", block " << deviation.block << ", outliers " << deviation.outlier_share
+          << ", paired " << deviation.paired;
 }
 
 }  // namespace candil::test

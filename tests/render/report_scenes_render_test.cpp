@@ -79,6 +79,9 @@ class ReportScene {
     return *found;
   }
 
+  Camera& camera() { return scene_.cameras.at(0); }
+
+  /// Throws if a sample is not finite, which the film would count as black.
   Image render(std::uint64_t seed) {
     if (!accelerator_) {
       accelerator_ = make_embree_accelerator(scene_, alpha_filter());
@@ -86,7 +89,9 @@ class ReportScene {
       tables_ = std::make_unique<BsdfTables>(scene_);
     }
     settings_.seed = seed;
-    return candil::render({scene_, *accelerator_, *lights_, *tables_}, scene_.cameras.at(0), settings_).film.mean();
+    const RenderResult result = candil::render({scene_, *accelerator_, *lights_, *tables_}, camera(), settings_);
+    if (result.non_finite_samples > 0) throw std::runtime_error("samples are not finite");
+    return result.film.mean();
   }
 
  private:
@@ -122,26 +127,56 @@ TEST_P(ReportScenes, LookLikeTheirGoldenImages) {
   }
   ASSERT_TRUE(fs::exists(golden)) << "make it with ./dev golden " << GetParam();
   const Deviation found = deviation(read_golden(golden), scene.render(0));
-  EXPECT_LT(found.image, image_limit);
-  EXPECT_LT(found.block, block_limit) << found.where;
-  EXPECT_LT(found.outlier_share, outlier_limit);
-  RecordProperty("deviation", testing::PrintToString(std::array{found.image, found.block, found.outlier_share}));
+  EXPECT_LE(found.image, image_limit);
+  EXPECT_LE(found.block, block_limit) << found.where;
+  EXPECT_LE(found.outlier_share, outlier_limit);
+  EXPECT_LE(found.paired, paired_limit);
+  RecordProperty("deviation", testing::PrintToString(found));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReportScenes, testing::ValuesIn(scene_names()),
                          [](const auto& parameter) { return parameter.param; });
 
-bool is_caught(const Deviation& found) {
-  return found.image > image_limit || found.block > block_limit || found.outlier_share > outlier_limit;
+// What the comparison is for: small faults of brightness and place do not pass. Faults that send light elsewhere in a
+// small part of the picture do: of the right ball of fig08a an index of refraction, of fig31b a lens radius 40 % too
+// large are not told from noise at this size.
+
+struct Fault {
+  const char* name;
+  const char* scene;
+  void (*make)(ReportScene&);
+};
+
+void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.name; }
+
+const Fault faults[] = {
+    {"DarkWalls", "fig05a_diffuse_area", [](ReportScene& s) { s.material("white").base_color *= 0.98f; }},
+    {"BrightSphere", "fig05a_diffuse_area", [](ReportScene& s) { s.material("left sphere").base_color *= 1.03f; }},
+    {"WideView", "fig05a_diffuse_area", [](ReportScene& s) { s.camera().yfov *= 1.01f; }},
+};
+
+class GoldenImagesCatch : public testing::TestWithParam<Fault> {};
+
+TEST_P(GoldenImagesCatch, SmallFaults) {
+  ReportScene scene(report_folder / (std::string(GetParam().scene) + ".json"));
+  GetParam().make(scene);
+  const Deviation found = deviation(read_golden(golden_path(GetParam().scene)), scene.render(0));
+  RecordProperty("deviation", testing::PrintToString(found));
+  EXPECT_FALSE(is_within_limits(found));
 }
 
-// What the comparison is for: small faults of large surfaces do not pass. A small object is noisier: 3 % of one sphere
-// is too little to be told from noise.
+INSTANTIATE_TEST_SUITE_P(All, GoldenImagesCatch, testing::ValuesIn(faults),
+                         [](const auto& fault) { return fault.param.name; });
 
-TEST(GoldenImages, CatchWallsThatAreTwoPercentTooDark) {
-  ReportScene scene(report_folder / "fig05a_diffuse_area.json");
-  scene.material("white").base_color *= 0.98f;
-  EXPECT_TRUE(is_caught(deviation(read_golden(golden_path("fig05a_diffuse_area")), scene.render(0))));
+// A right render passes whatever its random numbers are, as after a change of the sampler. Glass is the noisiest.
+TEST(GoldenImages, HoldForOtherSeeds) {
+  const std::string name = "fig08a_dielectric_area";
+  const Golden golden = read_golden(golden_path(name));
+  ReportScene scene(report_folder / (name + ".json"));
+  for (std::uint64_t seed = 101; seed <= 105; ++seed) {
+    const Deviation found = deviation(golden, scene.render(seed));
+    EXPECT_TRUE(is_within_limits(found)) << "seed " << seed << ": " << testing::PrintToString(found);
+  }
 }
 
 }  // namespace
