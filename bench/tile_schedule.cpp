@@ -21,10 +21,8 @@ namespace {
 using namespace candil;
 using Clock = std::chrono::steady_clock;
 
-/// That of integrators/render.cpp, which halves the picture until parts are no larger: in a square of a power of two
-/// pixels all tiles are whole.
-constexpr int tile_size = 16;
-constexpr int rays_per_tile = tile_size * tile_size;  // of one block
+/// Of one block of samples. In a square of a power of two pixels all tiles are whole.
+constexpr int rays_per_tile = tile_size * tile_size;
 
 /// Finds the pixel that a ray of a pinhole camera goes through.
 class PixelFinder {

@@ -18,7 +18,6 @@
 namespace candil {
 namespace {
 
-constexpr int tile_size = 16;
 constexpr double progress_interval_seconds = 0.2;
 
 /// Flushes denormals to zero while it lives: Embree asks for it, and our own sums do not need them.

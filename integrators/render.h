@@ -17,6 +17,9 @@
 
 namespace candil {
 
+/// Side of the largest tile, pixels. The picture is halved until parts are no larger.
+inline constexpr int tile_size = 16;
+
 enum class IntegratorKind { path, naive, classic, normals, albedo };
 
 /// "path", "naive", "classic", "normals", "albedo"; nothing for any other name.
@@ -31,7 +34,7 @@ struct RenderSettings {
   bool transparent_background =
       false;  ///< Camera rays that hit nothing give black with alpha 0 instead of the environment.
   FilterKind filter = FilterKind::blackman_harris;
-  std::vector<Aov> aovs;          ///< Made beside the picture, each once; none cost nothing.
+  std::vector<Aov> aovs;          ///< Made beside the picture, in this order; none cost nothing.
   int threads = 0;                ///< 0: all cores.
   double time_limit_seconds = 0;  ///< 0: none. The samples finished by then make the picture.
 };

@@ -1,6 +1,8 @@
 /// What closures answer.
 #pragma once
 
+#include <optional>
+
 #include "core/math.h"
 
 namespace candil {
@@ -18,5 +20,25 @@ struct BsdfSample {
   bool is_delta = false;
   bool is_transmission = false;
 };
+
+/// The sample of a direction that was chosen by `value.pdf`; nothing where that is not positive.
+inline std::optional<BsdfSample> sample_of(Vec3 wi, const BsdfEval& value) {
+  if (!(value.pdf > 0)) return std::nullopt;
+  BsdfSample sample;
+  sample.wi = wi;
+  sample.weight = value.f_cos / value.pdf;
+  sample.pdf = value.pdf;
+  return sample;
+}
+
+/// The sample of a mirror, chosen with that probability; `reflectance` / `probability` is its weight.
+inline BsdfSample mirror_sample(Vec3 wo, Vec3 reflectance, float probability) {
+  BsdfSample sample;
+  sample.wi = {-wo.x, -wo.y, wo.z};
+  sample.weight = reflectance / probability;
+  sample.pdf = probability;
+  sample.is_delta = true;
+  return sample;
+}
 
 }  // namespace candil

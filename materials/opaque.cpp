@@ -79,25 +79,15 @@ BsdfEval OpaqueLobes::eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator)
 std::optional<BsdfSample> OpaqueLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction,
                                               const ShadowTerminator& terminator) const {
   if (wo.z <= 0) return std::nullopt;
-  BsdfSample result;
+  Vec3 wi;
   if (u_lobe < specular_probability_) {
-    if (is_delta_) {
-      result.wi = {-wo.x, -wo.y, wo.z};
-      result.weight = fresnel_schlick(f0_, f90_, wo.z) / specular_probability_;
-      result.pdf = specular_probability_;
-      result.is_delta = true;
-      return result;
-    }
+    if (is_delta_) return mirror_sample(wo, fresnel_schlick(f0_, f90_, wo.z), specular_probability_);
     const Vec3 h = sample_ggx_visible(wo, alpha_, u_direction);
-    result.wi = 2 * glm::dot(wo, h) * h - wo;
+    wi = 2 * glm::dot(wo, h) * h - wo;
   } else {
-    result.wi = sample_cosine_hemisphere(u_direction);
+    wi = sample_cosine_hemisphere(u_direction);
   }
-  const BsdfEval value = eval(wo, result.wi, terminator);
-  if (!(value.pdf > 0)) return std::nullopt;
-  result.weight = value.f_cos / value.pdf;
-  result.pdf = value.pdf;
-  return result;
+  return sample_of(wi, eval(wo, wi, terminator));
 }
 
 }  // namespace candil

@@ -48,24 +48,14 @@ BsdfEval PhongLobes::eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator) 
 std::optional<BsdfSample> PhongLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction,
                                              const ShadowTerminator& terminator) const {
   if (wo.z <= 0) return std::nullopt;
-  BsdfSample result;
+  Vec3 wi;
   if (u_lobe < specular_probability_) {
-    if (is_delta()) {
-      result.wi = mirror_direction(wo);
-      result.weight = specular_ / specular_probability_;
-      result.pdf = specular_probability_;
-      result.is_delta = true;
-      return result;
-    }
-    result.wi = sample_power_of_cosine(mirror_direction(wo), exponent_, u_direction);
+    if (is_delta()) return mirror_sample(wo, specular_, specular_probability_);
+    wi = sample_power_of_cosine(mirror_direction(wo), exponent_, u_direction);
   } else {
-    result.wi = sample_cosine_hemisphere(u_direction);
+    wi = sample_cosine_hemisphere(u_direction);
   }
-  const BsdfEval value = eval(wo, result.wi, terminator);
-  if (!(value.pdf > 0)) return std::nullopt;
-  result.weight = value.f_cos / value.pdf;
-  result.pdf = value.pdf;
-  return result;
+  return sample_of(wi, eval(wo, wi, terminator));
 }
 
 }  // namespace candil

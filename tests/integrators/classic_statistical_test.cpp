@@ -1,9 +1,7 @@
 // `classic`, the report's estimator, has the expected value of `path` wherever emitters reflect nothing.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "core/camera.h"
+#include "tests/integrators/mean_comparison.h"
 #include "tests/support/scene_builder.h"
 
 namespace candil::test {
@@ -96,44 +94,13 @@ const NamedScene scenes[] = {{"diffuse_box_with_area_light", diffuse_box_with_ar
                              {"glass_under_the_sky", glass_under_the_sky},
                              {"metals_and_gltf_under_all_lights", metals_and_gltf_under_all_lights}};
 
-/// Mean over the image and its standard error, from the variances that the film kept.
-Estimate image_mean(const Film& film) {
-  const Image mean = film.mean(), variance = film.variance();
-  const std::size_t pixels = mean.pixels.size() / 4;
-  Estimate estimate;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      estimate.mean[c] += mean.pixels[4 * i + c] / static_cast<float>(pixels);
-      estimate.standard_error[c] += variance.pixels[3 * i + c];
-    }
-  }
-  estimate.standard_error = glm::sqrt(estimate.standard_error) / static_cast<float>(pixels);
-  return estimate;
-}
-
 class Classic : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(Classic, HasTheMeanOfPath) {
   SceneBuilder builder;
   GetParam().build(builder);
   const Stage stage(builder.scene);
-  const Camera camera = look_at(Vec3(0.4f, 0.6f, 2.9f), Vec3(0, -0.1f, 0), 1.1f);
-  RenderSettings settings;
-  settings.width = settings.height = 32;
-  settings.samples_per_pixel = 1024;
-  settings.filter = FilterKind::box;
-  settings.max_bounces = 200;
-  const RenderResult path = render(stage.context(), camera, settings);
-  settings.integrator = IntegratorKind::classic;
-  settings.seed = 1;  // independent of the other
-  const RenderResult classic = render(stage.context(), camera, settings);
-  EXPECT_EQ(path.non_finite_samples + classic.non_finite_samples, 0u);
-  const Estimate a = image_mean(path.film), b = image_mean(classic.film);
-  for (int c = 0; c < 3; ++c) {
-    const float error = std::hypot(a.standard_error[c], b.standard_error[c]);
-    EXPECT_LT(error, 0.005f * b.mean[c]) << "too noisy to tell";
-    EXPECT_NEAR(a.mean[c], b.mean[c], 5.5f * error) << "channel " << c << ", ratio " << b.mean[c] / a.mean[c];
-  }
+  expect_same_mean(stage, IntegratorKind::path, IntegratorKind::classic, 0.005f);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Classic, testing::ValuesIn(scenes), [](const auto& test) { return test.param.name; });
