@@ -35,7 +35,8 @@ AovFilm::AovFilm(const RenderContext& context, const Camera& camera, const Rende
       pinhole_(without_lens(camera), width_, height_) {
   const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   for (const Aov aov : aovs_) {
-    if (!is_id(aov)) means_.push_back({aov, BlockSums<Vec4>(pixels)});
+    const bool is_known = std::ranges::find(means_, aov, &Mean::aov) != means_.end();
+    if (!is_id(aov) && !is_known) means_.push_back({aov, BlockSums<Vec4>(pixels)});
   }
   if (std::ranges::any_of(aovs_, is_id)) {
     constexpr float nothing = -1;

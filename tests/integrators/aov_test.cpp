@@ -54,6 +54,14 @@ TEST(Aov, HasNamesThatAreFoundAgain) {
   EXPECT_FALSE(aov_from_name(""));
 }
 
+TEST(Aov, MayBeAskedForMoreThanOnce) {
+  const Stage stage = crowded_stage();
+  const RenderResult once = render(stage.context(), camera, small_settings({Aov::depth}));
+  const RenderResult often = render(stage.context(), camera, small_settings(std::vector<Aov>(20, Aov::depth)));
+  ASSERT_EQ(often.aovs.size(), 20u);
+  for (const ImageLayer& layer : often.aovs) EXPECT_EQ(layer.image.pixels, once.aovs[0].image.pixels);
+}
+
 TEST(Aov, IsBitIdenticalForAnyNumberOfThreads) {
   const Stage stage = crowded_stage();
   RenderSettings settings = small_settings(everything());
