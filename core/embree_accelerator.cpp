@@ -1,133 +1,16 @@
-// The only file that sees Embree, 3.13 or 4.x; what differs between them is in the first part.
 #include <atomic>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "core/accelerator.h"
+#include "core/embree_api.h"
+#include "core/embree_callbacks.h"
 #include "core/shape_target.h"
-
-#if CANDIL_EMBREE_MAJOR >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 namespace candil {
 namespace {
 
-#if CANDIL_EMBREE_MAJOR >= 4
-using QueryContext = RTCRayQueryContext;
-void init_context(QueryContext& context) { rtcInitRayQueryContext(&context); }
-void query_intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
-  RTCIntersectArguments arguments;
-  rtcInitIntersectArguments(&arguments);
-  arguments.context = &context;
-  rtcIntersect1(scene, &ray, &arguments);
-}
-void query_occluded(RTCScene scene, QueryContext& context, RTCRay& ray) {
-  RTCOccludedArguments arguments;
-  rtcInitOccludedArguments(&arguments);
-  arguments.context = &context;
-  rtcOccluded1(scene, &ray, &arguments);
-}
-#else
-using QueryContext = RTCIntersectContext;
-void init_context(QueryContext& context) { rtcInitIntersectContext(&context); }
-void query_intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) { rtcIntersect1(scene, &context, &ray); }
-void query_occluded(RTCScene scene, QueryContext& context, RTCRay& ray) { rtcOccluded1(scene, &context, &ray); }
-#endif
-
-/// Owns one reference to an Embree object.
-template <typename Handle, void (*release)(Handle)>
-class Owner {
- public:
-  explicit Owner(Handle handle = nullptr) : handle_(handle) {}
-  Owner(Owner&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
-  Owner& operator=(Owner&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-  }
-  ~Owner() {
-    if (handle_) release(handle_);
-  }
-  Handle get() const { return handle_; }
-
- private:
-  Handle handle_;
-};
-using Device = Owner<RTCDevice, rtcReleaseDevice>;
-using EmbreeScene = Owner<RTCScene, rtcReleaseScene>;
-using Geometry = Owner<RTCGeometry, rtcReleaseGeometry>;
-
-/// What a geometry id stands for. In the top-level scene the instance is known; in an object's scene the hit tells it.
-struct GeometryRecord {
-  const Scene* scene = nullptr;
-  HitFilter filter;
-  const std::vector<std::uint32_t>* instance_of_top_id = nullptr;
-  std::uint32_t instance = invalid_id;  // invalid_id: shared by several
-  std::uint32_t mesh = invalid_id;      // invalid_id: an Embree instance, or (without an instance either) the shapes
-};
-
-/// Handed through Embree to the filter function.
-struct FilterContext {
-  QueryContext embree;
-  const Ray* ray;
-};
-
-void filter_hit(const RTCFilterFunctionNArguments* arguments) {
-  if (arguments->valid[0] == 0) return;
-  const auto& record = *static_cast<const GeometryRecord*>(arguments->geometryUserPtr);
-  const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
-  RTCHitN* hit = arguments->hit;
-  const unsigned n = arguments->N;
-  const Vec3 normal(RTCHitN_Ng_x(hit, n, 0), RTCHitN_Ng_y(hit, n, 0), RTCHitN_Ng_z(hit, n, 0));
-  RTCRayN* ray = arguments->ray;
-  const Vec3 direction(RTCRayN_dir_x(ray, n, 0), RTCRayN_dir_y(ray, n, 0), RTCRayN_dir_z(ray, n, 0));
-  const std::uint32_t instance =
-      record.instance != invalid_id ? record.instance : (*record.instance_of_top_id)[RTCHitN_instID(hit, n, 0, 0)];
-  const Hit candidate{RTCRayN_tfar(ray, n, 0),
-                      {RTCHitN_u(hit, n, 0), RTCHitN_v(hit, n, 0)},
-                      instance,
-                      record.mesh,
-                      RTCHitN_primID(hit, n, 0)};
-  const bool is_front_face = glm::dot(direction, normal) < 0;  // both in the object's space
-  if (!record.filter.accept(*record.scene, *context.ray, candidate, is_front_face)) arguments->valid[0] = 0;
-}
-
-// Spheres and discs are one user geometry: its user data is the vector of them. Queries are of single rays, so N is 1.
-using Shapes = std::vector<ShapeTarget>;
-
-void bound_shape(const RTCBoundsFunctionArguments* arguments) {
-  const Bounds bounds = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID].bounds();
-  RTCBounds& box = *arguments->bounds_o;
-  box.lower_x = bounds.low.x, box.lower_y = bounds.low.y, box.lower_z = bounds.low.z;
-  box.upper_x = bounds.high.x, box.upper_y = bounds.high.y, box.upper_z = bounds.high.z;
-}
-
-void intersect_shape(const RTCIntersectFunctionNArguments* arguments) {
-  if (arguments->valid[0] == 0) return;
-  const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
-  RTCRayN* ray = RTCRayHitN_RayN(arguments->rayhit, 1);
-  const ShapeTarget& shape = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID];
-  const Hit found = shape.intersect(*context.ray, RTCRayN_tfar(ray, 1, 0));
-  if (found.is_miss()) return;
-  RTCRayN_tfar(ray, 1, 0) = found.t;
-  RTCHitN* hit = RTCRayHitN_HitN(arguments->rayhit, 1);
-  RTCHitN_u(hit, 1, 0) = found.barycentric.x;
-  RTCHitN_v(hit, 1, 0) = found.barycentric.y;
-  RTCHitN_primID(hit, 1, 0) = found.triangle;  // into Scene::shapes
-  RTCHitN_geomID(hit, 1, 0) = arguments->geomID;
-  RTCHitN_instID(hit, 1, 0, 0) = RTC_INVALID_GEOMETRY_ID;
-}
-
-void occlude_by_shape(const RTCOccludedFunctionNArguments* arguments) {
-  if (arguments->valid[0] == 0) return;
-  const auto& context = *reinterpret_cast<const FilterContext*>(arguments->context);
-  const ShapeTarget& shape = (*static_cast<const Shapes*>(arguments->geometryUserPtr))[arguments->primID];
-  float& t_far = RTCRayN_tfar(arguments->ray, 1, 0);
-  if (!shape.intersect(*context.ray, t_far).is_miss()) t_far = -infinity;
-}
+using namespace embree;
 
 class EmbreeAccelerator final : public Accelerator {
  public:
@@ -213,7 +96,7 @@ class EmbreeAccelerator final : public Accelerator {
       throw std::runtime_error(std::string("Embree failed while ") + doing + " (error " + std::to_string(error) + ")");
     }
   }
-  EmbreeScene new_scene() const;
+  SceneHandle new_scene() const;
   Geometry triangle_geometry(std::uint32_t mesh, GeometryRecord& record) const;
   void add_shapes();
 
@@ -223,15 +106,15 @@ class EmbreeAccelerator final : public Accelerator {
   Device device_;
   Shapes shapes_;  // before the scene that points to it
   PlaneSet planes_;
-  std::vector<EmbreeScene> object_scenes_;  // per object; empty where it stands in the top-level scene
-  EmbreeScene top_;
+  std::vector<SceneHandle> object_scenes_;  // per object; empty where it stands in the top-level scene
+  SceneHandle top_;
   std::vector<std::uint32_t> instance_of_top_id_;  // per geometry id of the top-level scene
   std::vector<GeometryRecord> records_;            // per geometry id of the top-level scene
   std::vector<GeometryRecord> mesh_records_;       // per mesh, for the meshes of instanced objects
 };
 
-EmbreeScene EmbreeAccelerator::new_scene() const {
-  EmbreeScene scene(rtcNewScene(device_.get()));
+SceneHandle EmbreeAccelerator::new_scene() const {
+  SceneHandle scene(rtcNewScene(device_.get()));
   // Watertight at shared edges: a ray cannot slip between two triangles of a closed mesh.
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   return scene;
@@ -289,7 +172,7 @@ EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
   for (const Instance& instance : scene.instances) {
     if (instance.is_world_space || object_scenes_[instance.object].get()) continue;
     const Object& object = scene.objects[instance.object];
-    EmbreeScene& bottom = object_scenes_[instance.object] = new_scene();
+    SceneHandle& bottom = object_scenes_[instance.object] = new_scene();
     for (std::uint32_t i = 0; i < object.mesh_count; ++i) {
       const std::uint32_t mesh = object.first_mesh + i;
       rtcAttachGeometryByID(bottom.get(), triangle_geometry(mesh, mesh_records_[mesh]).get(), i);

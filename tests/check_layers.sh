@@ -6,9 +6,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 status=0
 
-# forbid FOLDER PATTERN REASON: no include of FOLDER may match the extended regular expression.
+# forbid FOLDER PATTERN REASON [GREP_OPTION...]: no include of FOLDER may match the extended regular expression.
 forbid() {
-  if grep -rnE --include='*.h' --include='*.cpp' "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" "$1"; then
+  if grep -rnE --include='*.h' --include='*.cpp' "${@:4}" "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($2)" "$1"; then
     echo "^ $3"
     status=1
   fi
@@ -24,7 +24,8 @@ for folder in core materials integrators apps; do
   forbid "$folder" '(OpenImageIO/|tiny_gltf)' 'only io/ sees OpenImageIO and tinygltf'
 done
 for folder in materials integrators io apps; do
-  forbid "$folder" 'embree[34]/' 'only core/ sees Embree'
+  forbid "$folder" '(embree[34]/|core/embree_)' 'only core/ sees Embree'
 done
+forbid core 'embree[34]/' 'only core/embree_* see Embree' --exclude='embree_*'
 
 exit "$status"
