@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "core/color.h"
 #include "core/emission.h"
@@ -13,136 +12,10 @@
 #include "core/warp.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/chi_square.h"
-#include "tests/support/scene_builder.h"
+#include "tests/support/light_scenes.h"
 
 namespace candil::test {
 namespace {
-
-SurfacePoint point_at(Vec3 position, Vec3 normal = Vec3(0, 1, 0)) {
-  SurfacePoint point;
-  point.position = position;
-  point.normal = point.normal_geometric = normal;
-  return point;
-}
-
-Material emitter(Vec3 radiance) {
-  Material material;
-  material.emission = radiance;
-  return material;
-}
-
-Mesh square(float half_side) {
-  Mesh mesh;
-  mesh.positions = {
-      {-half_side, -half_side, 0}, {half_side, -half_side, 0}, {half_side, half_side, 0}, {-half_side, half_side, 0}};
-  mesh.uvs[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
-
-/// A texture of 4 x 4 bytes, uneven: two bright texels in the dark.
-void add_uneven_texture(Scene& scene) {
-  TextureImage image;
-  image.width = image.height = 4;
-  for (int i = 0; i < 16; ++i) {
-    const bool is_bright = i == 2 || i == 9;
-    image.rgba8.emplace_back(is_bright ? 255 : 12 * i, is_bright ? 250 : 100, 5 * i, 255);
-  }
-  scene.images.push_back(image);
-  scene.textures.push_back({static_cast<std::uint32_t>(scene.images.size() - 1), Wrap::clamp, Wrap::clamp});
-}
-
-Image uneven_image() {
-  Image image(8, 4, 3);
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 8; ++x) {
-      const float value = (x == 2 && y == 1) ? 300.0f : (x == 5 && y == 2) ? 40.0f : (x + y) % 3 == 0 ? 0.0f : 0.5f;
-      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = value * (1 + 0.2f * static_cast<float>(c));
-    }
-  }
-  return image;
-}
-
-struct LightScene {
-  const char* name;
-  std::function<void(SceneBuilder&)> build;
-};
-
-void PrintTo(const LightScene& scene, std::ostream* stream) { *stream << scene.name; }
-
-void add_one_sided(SceneBuilder& builder) {
-  // Above the origin, front downwards.
-  builder.add_quad(Vec3(-1, 2, -0.5f), Vec3(1.5f, 0, 0), Vec3(0, 0.3f, 1),
-                   builder.add_material(emitter(Vec3(3, 2, 1))));
-}
-
-void add_facing_away(SceneBuilder& builder) {
-  builder.add_quad(Vec3(-1, 2.5f, 1), Vec3(2, 0, 0), Vec3(0, 0, -2), builder.add_material(emitter(Vec3(9))));
-}
-
-void add_two_sided(SceneBuilder& builder) {
-  builder.add_quad(Vec3(-1.5f, 0.5f, -2), Vec3(1, 0, 0), Vec3(0.2f, 1, 0), builder.add_diffuse(Vec3(0), Vec3(1, 4, 2)));
-}
-
-void add_textured(SceneBuilder& builder) {
-  add_uneven_texture(builder.scene);
-  Material material = emitter(Vec3(8, 6, 10));
-  material.emission_texture.texture = 0;
-  builder.add_quad(Vec3(-1, 1.5f, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(material));
-}
-
-void add_blended(SceneBuilder& builder) {
-  add_uneven_texture(builder.scene);
-  for (glm::u8vec4& texel : builder.scene.images[0].rgba8) texel.w = texel.x;
-  Material material = emitter(Vec3(4));
-  material.base_color_texture.texture = 0;
-  material.alpha_mode = AlphaMode::blend;
-  material.is_double_sided = true;
-  builder.add_quad(Vec3(-1, 1.5f, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(material));
-}
-
-/// One square used three times: moved, mirrored, stretched. All fronts but the last one's see the origin.
-void add_instanced(SceneBuilder& builder) {
-  builder.add_mesh(square(0.5f), builder.add_material(emitter(Vec3(5, 5, 2))));
-  const Mat3 down(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, -1, 0));          // +z turned to -y
-  const Mat3 stretched(Vec3(0, 0, -2), Vec3(0, 0.5f, 0), Vec3(1, 0, 0));  // +z turned to +x
-  const Mat3 mirrored(Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1));
-  builder.scene.instances = {{"", 0, Affine{down, Vec3(0.5f, 2, 0)}, false},
-                             {"", 0, Affine{mirrored, Vec3(0, 0.5f, -2)}, false},
-                             {"", 0, Affine{stretched, Vec3(-2, 0.2f, 0)}, false},
-                             {"", 0, Affine{mirrored * 2.0f, Vec3(0, 0.5f, 2)}, false}};
-}
-
-void add_constant_environment(SceneBuilder& builder) { builder.scene.environment.tint = Vec3(0.5f, 1, 2); }
-
-void add_image_environment(SceneBuilder& builder) {
-  builder.scene.environment.tint = Vec3(1, 2, 0.5f);
-  builder.scene.environment.image = uneven_image();
-  builder.scene.environment.rotation = 1.1f;
-}
-
-void add_everything(SceneBuilder& builder) {
-  add_textured(builder);
-  add_two_sided(builder);
-  add_facing_away(builder);
-  add_image_environment(builder);
-  PunctualLight lamp;
-  lamp.intensity = Vec3(20);
-  lamp.position = Vec3(1, 2, 1);
-  builder.scene.punctual_lights = {lamp};
-}
-
-const std::array light_scenes = {
-    LightScene{"one_sided", add_one_sided},
-    LightScene{"facing_away", add_facing_away},
-    LightScene{"two_sided", add_two_sided},
-    LightScene{"textured", add_textured},
-    LightScene{"blended", add_blended},
-    LightScene{"instanced", add_instanced},
-    LightScene{"constant_environment", add_constant_environment},
-    LightScene{"image_environment", add_image_environment},
-    LightScene{"everything", add_everything},
-};
 
 class Lights : public testing::TestWithParam<LightScene> {
  protected:
@@ -331,67 +204,8 @@ TEST_P(Lights, ExtremeNumbersAndPlacesGiveSoundSamples) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Lights, testing::ValuesIn(light_scenes),
+INSTANTIATE_TEST_SUITE_P(Kinds, Lights, testing::ValuesIn(light_scenes().begin(), light_scenes().end()),
                          [](const auto& test) { return test.param.name; });
-
-// Behind a one-sided light there is none of it; behind a two-sided one there is.
-TEST(LightSampler, BackSidesShineOnlyIfDoubleSided) {
-  for (const bool is_double_sided : {false, true}) {
-    SceneBuilder builder;
-    Material material = emitter(Vec3(1));
-    material.is_double_sided = is_double_sided;
-    builder.add_quad(Vec3(-1, 0, 1), Vec3(2, 0, 0), Vec3(0, 0, -2), builder.add_material(material));  // faces up
-    const LightSampler lights(builder.scene);
-    Random random(4);
-    int above = 0, below = 0;
-    for (int i = 0; i < 1000; ++i) {
-      const Vec2 u = random.next_2d();
-      const float pick = random.next_1d();
-      above += lights.sample(point_at(Vec3(0, 2, 0)), pick, u).has_value();
-      below += lights.sample(point_at(Vec3(0, -2, 0)), pick, u).has_value();
-    }
-    EXPECT_EQ(above, 1000);
-    EXPECT_EQ(below, is_double_sided ? 1000 : 0);
-  }
-}
-
-// Lights are picked in proportion to their power: pi area L per side of an emitter, 4 pi I of a point light.
-TEST(LightSampler, FrequenciesArePowerShares) {
-  SceneBuilder builder;
-  builder.add_quad(Vec3(-1, 5, -1), Vec3(2, 0, 0), Vec3(0, 0, 2), builder.add_material(emitter(Vec3(3))));  // 4 m2
-  builder.add_quad(Vec3(-4, 5, -1), Vec3(1, 0, 0), Vec3(0, 0, 1), builder.add_diffuse(Vec3(0), Vec3(7)));   // two sides
-  PunctualLight lamp;
-  lamp.position = Vec3(3, 1, 0);
-  lamp.intensity = Vec3(2);
-  builder.scene.punctual_lights = {lamp};
-  const LightSampler lights(builder.scene);
-  ASSERT_EQ(lights.light_count(), 5u);
-  const double one_sided = pi * 4 * 3, two_sided = 2 * pi * 1 * 7, point = 4 * pi * 2;
-  const double total = one_sided + two_sided + point;
-  constexpr int n = 100000;
-  std::array<double, 3> observed{};
-  Random random(5);
-  for (int i = 0; i < n; ++i) {
-    const float pick = random.next_1d();
-    const std::optional<LightSample> sample = lights.sample(point_at(Vec3(0)), pick, random.next_2d());
-    ASSERT_TRUE(sample);
-    ++observed[sample->is_delta ? 2 : sample->radiance.x > 5 ? 1 : 0];
-    if (sample->is_delta) {
-      EXPECT_NEAR(sample->pdf, point / total, 1e-5);
-    }
-  }
-  const std::array expected = {n * one_sided / total, n * two_sided / total, n * point / total};
-  EXPECT_GT(chi_square_test(observed, expected).p_value, significance);
-}
-
-TEST(LightSampler, WithoutLightsIsEmpty) {
-  SceneBuilder builder;
-  builder.add_quad(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), builder.add_diffuse(Vec3(1)));
-  const LightSampler lights(builder.scene);
-  EXPECT_TRUE(lights.is_empty());
-  EXPECT_EQ(lights.pdf_hit(Vec3(0, 0, 1), make_surface_point(builder.scene, Hit{})), 0);
-  EXPECT_EQ(lights.pdf_miss(Vec3(0, 1, 0)), 0);
-}
 
 }  // namespace
 }  // namespace candil::test
