@@ -10,9 +10,9 @@
 namespace candil {
 
 /// Index eta - i k against vacuum, at one wavelength for each channel of linear Rec.709: 630 nm for red, 532 nm for
-/// green and 465 nm for blue (the primaries of Rec.2020, close to where those of Rec.709 have their weight). Three
-/// wavelengths are not a spectrum: colours are right for white light, to the few percent by which measurements of films
-/// differ among themselves.
+/// green and 465 nm for blue (within 2 nm of the primaries of Rec.2020, close to where those of Rec.709 have their
+/// weight). Three wavelengths are not a spectrum: colours are right for white light, to the few percent by which
+/// measurements of films differ among themselves.
 struct Metal {
   std::string_view name;    ///< Lower case, English: "gold".
   std::string_view symbol;  ///< Of the element: "Au".

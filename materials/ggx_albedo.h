@@ -51,7 +51,7 @@ class DielectricAlbedo {
   /// `ior` > 0, not 1.
   explicit DielectricAlbedo(float ior);
 
-  /// `from_inside`: the direction is on the side of the higher index (of the medium).
+  /// `from_inside`: the direction is behind the front, in the medium.
   float directional(float roughness, float cosine, bool from_inside) const {
     return sides_[from_inside].lookup(roughness, cosine);
   }

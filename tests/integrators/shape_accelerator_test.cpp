@@ -91,8 +91,7 @@ TEST(ShapeAccelerator, FindsTheNearestOfAll) {
         ASSERT_EQ(found.instance, expected.instance);
         ASSERT_EQ(found.triangle, expected.triangle);
         ASSERT_EQ(found.barycentric, expected.barycentric);
-        ASSERT_EQ(material_of(scene, found),
-                  found.is_shape() ? scene.shapes[found.triangle].material : scene.meshes[found.mesh].material);
+        ASSERT_EQ(material_of(scene, found), make_surface_point(scene, found).material);
         ++hits;
         on_triangles += !found.is_shape();
         on_planes += found.is_shape() && scene.shapes[found.triangle].kind == ShapeKind::plane;
