@@ -27,7 +27,7 @@ Vec3 punctual_light(const RenderContext& context, const SurfacePoint& point, con
     ++rays.shadow;
     if (context.accelerator.occluded(sample->shadow_ray)) continue;
     Vec3 arriving = sample->radiance;
-    const std::uint32_t crossed = medium_beyond(context.scene, point, sample->wi, medium);
+    const std::uint32_t crossed = medium_beyond(context.scene, point, wo, sample->wi, medium);
     if (crossed != invalid_id) arriving *= volume_transmittance(context.scene, crossed, sample->shadow_ray.t_max);
     radiance += f_cos * arriving;
   }

@@ -153,7 +153,7 @@ class Batch {
     if (is_black(scattered.f_cos)) return false;
     const float weight = light->is_delta ? 1.0f : mis_weight(light->pdf, scattered.pdf);
     Vec3 radiance = scattered.f_cos * light->radiance * (weight / light->pdf);
-    const std::uint32_t crossed = medium_beyond(scene_, point, light->wi, lane.state.medium);
+    const std::uint32_t crossed = medium_beyond(scene_, point, wo, light->wi, lane.state.medium);
     if (crossed != invalid_id) radiance *= volume_transmittance(scene_, crossed, light->shadow_ray.t_max);
     lane.shadow_ray = light->shadow_ray;
     lane.shadow_radiance = lane.state.throughput * radiance;

@@ -8,9 +8,10 @@ Vec3 volume_transmittance(const Scene& scene, std::uint32_t medium, float distan
   return glm::pow(material.attenuation_color, Vec3(distance / material.attenuation_distance));
 }
 
-std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 wi, std::uint32_t current) {
+std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 wo, Vec3 wi, std::uint32_t current) {
   if (!scene.materials[point.material].is_volume()) return current;
-  return glm::dot(wi, point.normal_geometric) < 0 ? point.material : invalid_id;
+  if (glm::dot(wi, point.normal_geometric) < 0) return point.material;
+  return glm::dot(wo, point.normal_geometric) < 0 ? invalid_id : current;
 }
 
 Vec3 background(const RenderContext& context, const PathState& state) {
@@ -21,7 +22,8 @@ Vec3 background(const RenderContext& context, const PathState& state) {
 
 bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, const Bsdf& bsdf, float u_lobe,
              Vec2 u_direction) {
-  const std::optional<BsdfSample> sample = bsdf.sample(-state.ray.direction, u_lobe, u_direction);
+  const Vec3 wo = -state.ray.direction;
+  const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, u_direction);
   if (!sample || is_black(sample->weight)) return false;
   state.throughput *= sample->weight;
   state.eta_scale *= sqr(sample->eta);
@@ -29,7 +31,7 @@ bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, co
   state.is_specular = sample->is_delta;
   state.sees_backdrop = state.sees_backdrop && sample->is_delta && sample->is_transmission;
   state.from = point.position;
-  state.medium = medium_beyond(scene, point, sample->wi, state.medium);
+  state.medium = medium_beyond(scene, point, wo, sample->wi, state.medium);
   state.ray.origin = offset_origin(point, sample->wi);
   state.ray.direction = sample->wi;
   state.ray.t_max = infinity;

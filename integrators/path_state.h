@@ -47,8 +47,9 @@ class VertexSamples {
 /// reached at the attenuation distance (KHR_materials_volume).
 Vec3 volume_transmittance(const Scene& scene, std::uint32_t medium, float distance);
 
-/// The medium on the side of the surface that wi leaves to.
-std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 wi, std::uint32_t current);
+/// The medium on the side of the surface that wi leaves to, for a path that came from wo through `current`. Reflection
+/// off the outside keeps it; a path that leaves a volume is in none, even if that volume was inside another.
+std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 wo, Vec3 wi, std::uint32_t current);
 
 /// Radiance from beyond the scene for the state's ray, the camera's backdrop included.
 Vec3 background(const RenderContext& context, const PathState& state);
