@@ -19,6 +19,8 @@ constexpr int block_size = 8;
 constexpr float smallest_spread = 0x1p-11f;
 /// Significant bits of stored means and examples, and of spreads and limits.
 constexpr int value_bits = 11, limit_bits = 8;
+/// Half of the last of value_bits, as a part of the value: at most 2^-11.
+constexpr double half_step = 0x1p-11;
 
 float compressed(float radiance) {
   const float value = radiance / (1 + radiance);
@@ -63,30 +65,33 @@ Image rounded(Image image, int bits) {
 
 /// Sums over a set of pixels of one channel.
 struct Score {
-  double difference = 0, variance = 0, variance_squared = 0;
+  double difference = 0, rounding = 0, variance = 0, variance_squared = 0;
 
-  void add(double pixel_difference, double pixel_variance) {
+  void add(double mean, double pixel_difference, double pixel_variance) {
     difference += pixel_difference;
+    rounding += half_step * mean;
     variance += pixel_variance;
     variance_squared += pixel_variance * pixel_variance;
   }
   /// The sum's Student t with the degrees of freedom of Welch and Satterthwaite, as a normal deviate (D. L. Wallace,
-  /// Bounds on normal approximations to Student's and the chi-square distributions, 1959).
+  /// Bounds on normal approximations to Student's and the chi-square distributions, 1959). What the rounding of stored
+  /// means can account for does not count: where all pixels have one value, all are rounded alike.
   double normal_deviate() const {
     const double freedom = (golden_replicates - 1) * variance * variance / variance_squared;
-    const double t_squared = difference * difference / variance;
+    const double beyond = std::max(0.0, std::abs(difference) - rounding);
+    const double t_squared = beyond * beyond / variance;
     return (8 * freedom + 1) / (8 * freedom + 3) * std::sqrt(freedom * std::log1p(t_squared / freedom));
   }
 };
 
 /// Of channel c of two images of compressed values, `now` not rounded yet.
 double paired_score(const Image& stored, const Image& now, int c) {
-  // One step of rounding is at most 2^-10 of a value; less than twice that is no difference.
-  constexpr float step = 0x1p-9f;
+  // Less than two steps of rounding is no difference.
+  constexpr auto two_steps = static_cast<float>(4 * half_step);
   double sum = 0, squares = 0;
   for (std::size_t i = c; i < stored.pixels.size(); i += channels) {
     const float a = stored.pixels[i], b = rounded(now.pixels[i], value_bits);
-    const double beyond = std::max(0.0f, std::abs(b - a) - step * std::max(a, b));
+    const double beyond = std::max(0.0f, std::abs(b - a) - two_steps * std::max(a, b));
     sum += std::copysign(beyond, b - a);
     squares += beyond * beyond;
   }
@@ -160,12 +165,12 @@ Deviation deviation(const Golden& golden, const Image& render) {
         for (int x = left; x < std::min(left + block_size, width); ++x) {
           for (int c = 0; c < channels; ++c) {
             const double value = std::min(values.pixel(x, y)[c], golden.limit.pixel(x, y)[c]);
-            const double difference = value - golden.mean.pixel(x, y)[c];
+            const double mean = golden.mean.pixel(x, y)[c], difference = value - mean;
             const double spread = golden.spread.pixel(x, y)[c];
             // Of the render's value, and of the mean of the replicates.
             const double variance =
                 (spread * spread + smallest_spread * smallest_spread) * (1 + 1.0 / golden_replicates);
-            block[c].add(difference, variance), image[c].add(difference, variance);
+            block[c].add(mean, difference, variance), image[c].add(mean, difference, variance);
             if (difference * difference > 25 * variance) is_outlier[static_cast<std::size_t>(y) * width + x] = 1;
           }
         }

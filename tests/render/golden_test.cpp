@@ -48,6 +48,21 @@ TEST(GoldenDeviation, TellsTheBlockThatIsTooBright) {
   EXPECT_EQ(found.where, "pixels from (0, 8), channel G");
 }
 
+// 0.5001 is stored as 0.5, which is off by 0.2 of the least spread in each of 256 pixels: 3.2 of it over all of them.
+TEST(GoldenDeviation, LeavesOutWhatIsRounded) {
+  const auto constant = [](float compressed) {
+    Image image(side, side, 3);
+    image.pixels.assign(image.pixels.size(), compressed / (1 - compressed));
+    return image;
+  };
+  const Golden flat = make_golden([&](std::uint64_t) { return constant(0.5001f); });
+  ASSERT_EQ(flat.mean.pixels[0], 0.5f);
+  const Deviation found = deviation(flat, constant(0.5001f));
+  EXPECT_EQ(found.image, 0);
+  EXPECT_EQ(found.block, 0);
+  EXPECT_FALSE(is_within_limits(deviation(flat, constant(0.502f))));
+}
+
 // 0.75 / 1.75 is 0.071 below 1 / 2: 9.5 times the spread. In turns of another channel, so that no mean moves far.
 TEST(GoldenDeviation, CountsOutliers) {
   Image image = noisy_image(101);
