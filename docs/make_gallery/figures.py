@@ -4,6 +4,7 @@ from table import Figure, Panel, ReportTime
 
 WIDE = (640, 480)
 NORMALS = ("--integrator", "normals")
+BUNNY = "Bunny: Stanford Computer Graphics Laboratory."
 
 
 def pair(number, name, area_report=None, point_report=None, point="point light"):
@@ -75,7 +76,7 @@ FIGURES = (
            "report's producer puts regions into a queue; here each thread halves the part of the image it has until a "
            "tile is left, and a thread that runs out of work takes the largest part that another one has not begun.",
            drawing="fig18_tiles.svg"),
-    Figure(20, "Three bunnies", "208,363 primitives: three models of 69,451 triangles, and ten more.",
+    Figure(20, "Three bunnies", f"208,363 primitives: three models of 69,451 triangles, and ten more. {BUNNY}",
            (Panel("fig20", "", "fig20_three_bunnies.json", WIDE, report=ReportTime(89 * 60, 1240)),)),
     Figure(21, "Phong's model", "kd = 0.65, ks = 0.2: the lobe narrows as the exponent grows.",
            tuple(Panel(f"fig21{letter}", f"exponent {exponent}", f"fig21{letter}_phong_{exponent}.json")
@@ -85,14 +86,15 @@ FIGURES = (
            "prints, `reinhard05` the operator that it names.",
            (Panel("fig22a", "reinhard02", "fig13_tone_mapping.json", WIDE, 512, operator="reinhard02"),
             Panel("fig22b", "reinhard05", "fig13_tone_mapping.json", WIDE, 512, operator="reinhard05"))),
-    Figure(23, "Normals", "`--integrator normals` at several triangle counts.",
+    Figure(23, "Normals", f"`--integrator normals` at several triangle counts. {BUNNY}",
            tuple(Panel(f"fig23{letter}", f"{count:,} triangles", f"fig23{letter}_normals_{count}.json", options=NORMALS)
                  for letter, count in zip("abcd", (948, 3851, 16301, 69451)))),
     Figure(24, "Flat and smooth", "A teapot of 6,320 triangles: its faces' own normals, and normals interpolated from "
            "the vertices.",
            (Panel("fig24a", "flat", "fig24a_flat_teapot.json", WIDE, options=NORMALS),
             Panel("fig24b", "smooth", "fig24b_smooth_teapot.json", WIDE, options=NORMALS))),
-    Figure(25, "Glass dragon", "47,794 triangles, index of refraction 1.52.",
+    Figure(25, "Glass dragon", "47,794 triangles, index of refraction 1.52. Dragon: Stanford Computer Graphics "
+           "Laboratory.",
            (Panel("fig25", "", "fig25_glass_dragon.json", WIDE, 1024, report=ReportTime(122 * 60, 1024)),)),
     Figure(26, "Parametrisation", "u runs to the right and v down from the upper left corner of an image.",
            (Panel("fig26", "red shows u, green shows v", "fig26_parametrisation.json"),)),
