@@ -6,6 +6,10 @@
 namespace candil {
 namespace {
 
+/// Metres. A ray that nearly runs along a plane meets it beyond all scenes, and the next one from there would be too
+/// far out for Embree, which ends the program above about 1e18: such a ray sees the horizon instead.
+constexpr double longest_ray = 0x1p56;
+
 double max_component(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
 Vec2 texture_coordinates(ShapeKind kind, glm::dvec3 local) {
@@ -46,7 +50,7 @@ ShapeIntersector::ShapeIntersector(const Shape& shape)
 
 ShapeCrossings ShapeIntersector::crossings(const Ray& ray, float t_max) const {
   const glm::dvec3 from_origin = glm::dvec3(ray.origin) - origin_, towards(ray.direction);
-  const double t_end = std::min<double>(t_max, std::numeric_limits<float>::max());
+  const double t_end = std::min<double>(t_max, longest_ray);
   ShapeCrossings found;
   if (kind_ == ShapeKind::sphere) {
     const glm::dvec3 origin = to_local_ * from_origin, direction = to_local_ * towards;

@@ -38,7 +38,7 @@ struct ShapeCrossings {
 class ShapeIntersector {
  public:
   explicit ShapeIntersector(const Shape& shape);
-  /// All crossings with t in [0, t_max], finite.
+  /// All crossings with t in [0, t_max], none beyond 2^56 m.
   ShapeCrossings crossings(const Ray& ray, float t_max) const;
 
  private:

@@ -318,6 +318,13 @@ TEST(Shape, CountsInTheScene) {
   EXPECT_TRUE(has_light(scene));
 }
 
+TEST(Shape, PlanesEndFarBeyondAllScenes) {
+  const ShapeIntersector plane({"", ShapeKind::plane, {}, 0});
+  const auto count = [&](float rise) { return plane.crossings({Vec3(0, 0, 1), Vec3(1, 0, rise)}, infinity).count; };
+  EXPECT_EQ(count(-1e-15f), 1);
+  EXPECT_EQ(count(-1e-18f), 0) << "at 1e18 m";
+}
+
 TEST(Shape, FlatOrBrokenTransformsAreNotThere) {
   Mat3 flat(1), broken(1), overflowing(1e38f);
   flat[2] = Vec3(0);
