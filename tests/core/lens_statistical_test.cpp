@@ -1,6 +1,7 @@
 // The aperture: its shape, and the blur that it makes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/camera.h"

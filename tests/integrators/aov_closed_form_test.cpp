@@ -1,6 +1,7 @@
 // Each AOV against the mathematics of the very camera rays that the render shoots.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
