@@ -26,7 +26,7 @@ endfunction()
 
 # Release builds optimise the render loop across its files. The libraries it is made of hold ordinary code as well, for
 # tests and other projects to link as ever; only programs that render make use of the rest.
-option(CANDIL_LTO "Optimise the render loop across files (release builds with GCC)" ON)
+option(CANDIL_LTO "Optimise the render loop across files (release builds with GCC)" OFF)
 if(CANDIL_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
   set(lto_compile_options $<$<CONFIG:Release>:-flto=auto> $<$<CONFIG:Release>:-ffat-lto-objects>)
   set(lto_link_options $<$<CONFIG:Release>:-flto=auto>)
