@@ -24,24 +24,6 @@ function(candil_compile_options target)
   endif()
 endfunction()
 
-# Release builds optimise the render loop across its files. The libraries it is made of hold ordinary code as well, for
-# tests and other projects to link as ever; only programs that render make use of the rest.
-option(CANDIL_LTO "Optimise the render loop across files (release builds with GCC)" OFF)
-if(CANDIL_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
-  set(lto_compile_options $<$<CONFIG:Release>:-flto=auto> $<$<CONFIG:Release>:-ffat-lto-objects>)
-  set(lto_link_options $<$<CONFIG:Release>:-flto=auto>)
-endif()
-
-# For the libraries of the render loop.
-function(candil_offer_lto target)
-  target_compile_options(${target} PRIVATE ${lto_compile_options})
-endfunction()
-
-# For programs that render.
-function(candil_use_lto target)
-  target_link_options(${target} PRIVATE ${lto_link_options})
-endfunction()
-
 # candil_library(NAME [PUBLIC target...] [PRIVATE target...]): the static library candil_NAME, alias candil::NAME, of all
 # .cpp files of the calling folder. PUBLIC targets appear in its headers.
 function(candil_library name)
