@@ -46,8 +46,7 @@ std::optional<BsdfSample> ConductorLobes::sample(Vec3 wo, float u_lobe, Vec2 u_d
   if (is_delta_) return mirror_sample(wo, albedo_, 1);
   Vec3 wi;
   if (u_lobe < specular_probability_) {
-    const Vec3 h = sample_ggx_visible(wo, alpha_, u_direction);
-    wi = 2 * glm::dot(wo, h) * h - wo;
+    wi = sample_ggx_reflection(wo, alpha_, u_direction);
   } else {
     wi = sample_cosine_hemisphere(u_direction);
   }

@@ -38,7 +38,7 @@ inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, float alpha) {
 struct GgxReflection {
   float cosine;  ///< Of both directions with the facet.
   float value;   ///< f |cos|.
-  float pdf;     ///< 1/sr, of reflecting wo at a facet from sample_ggx_visible().
+  float pdf;     ///< 1/sr, of sample_ggx_reflection().
 };
 inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, float alpha) {
   const Vec3 h = glm::normalize(wo + wi);
@@ -54,6 +54,12 @@ inline Vec3 sample_ggx_visible(Vec3 wo, float alpha, Vec2 u) {
   const float radius = safe_sqrt(1 - sqr(z)), phi = 2 * pi * u.x;
   const Vec3 h = Vec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
   return glm::normalize(Vec3(alpha * h.x, alpha * h.y, glm::max(1e-9f, h.z)));
+}
+
+/// wo mirrored at such a facet; may point below the surface. Its density is GgxReflection::pdf.
+inline Vec3 sample_ggx_reflection(Vec3 wo, float alpha, Vec2 u) {
+  const Vec3 h = sample_ggx_visible(wo, alpha, u);
+  return 2 * glm::dot(wo, h) * h - wo;
 }
 
 }  // namespace candil
