@@ -21,8 +21,9 @@ inline Affine operator*(const Affine& outer, const Affine& inner) {
 /// Maps normals like M^-T, up to a positive factor, and needs no inverse: the cofactor matrix times the sign of the
 /// determinant. A mirrored transform keeps the front side of a surface its front side, as the glTF specification
 /// (section 3.7.4) wants by its winding rule.
-inline Mat3 normal_matrix(const Mat3& m) {
-  const Mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+template <typename T, glm::qualifier Q>
+glm::mat<3, 3, T, Q> normal_matrix(const glm::mat<3, 3, T, Q>& m) {
+  const glm::mat<3, 3, T, Q> cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::dot(m[0], cofactor[0]) < 0 ? -cofactor : cofactor;
 }
 

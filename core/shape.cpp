@@ -108,7 +108,7 @@ SurfacePoint shape_surface_point(const Scene& scene, std::uint32_t id, Vec2 coor
   point.triangle = id;
   point.material = shape.material;
   point.position = Vec3(position);
-  point.normal_geometric = Vec3(glm::normalize(normal * glm::inverse(to_world)));  // M^-T n
+  point.normal_geometric = Vec3(glm::normalize(normal_matrix(to_world) * normal));
   point.normal = point.normal_geometric;
   // v runs downwards in an image: the bitangent is its way up. East of a globe is to the left of who looks at it.
   const bool is_mirrored = (glm::determinant(to_world) < 0) != is_sphere;
