@@ -8,21 +8,10 @@
 #include "core/color.h"
 #include "core/warp.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/light_scenes.h"
 
 namespace candil::test {
 namespace {
-
-// Texels from black to 300, the bright ones alone.
-Image uneven_image() {
-  Image image(8, 4, 3);
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 8; ++x) {
-      const float value = (x == 2 && y == 1) ? 300.0f : (x == 5 && y == 2) ? 40.0f : (x + y) % 3 == 0 ? 0.0f : 0.5f;
-      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = value * (1 + 0.2f * static_cast<float>(c));
-    }
-  }
-  return image;
-}
 
 Environment image_environment(Image image, float rotation) {
   Environment environment;

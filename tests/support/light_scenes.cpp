@@ -4,6 +4,18 @@
 #include <ostream>
 
 namespace candil::test {
+
+Image uneven_image() {
+  Image image(8, 4, 3);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const float value = (x == 2 && y == 1) ? 300.0f : (x == 5 && y == 2) ? 40.0f : (x + y) % 3 == 0 ? 0.0f : 0.5f;
+      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = value * (1 + 0.2f * static_cast<float>(c));
+    }
+  }
+  return image;
+}
+
 namespace {
 
 Mesh square(float half_side) {
@@ -25,17 +37,6 @@ void add_uneven_texture(Scene& scene) {
   }
   scene.images.push_back(image);
   scene.textures.push_back({static_cast<std::uint32_t>(scene.images.size() - 1), Wrap::clamp, Wrap::clamp});
-}
-
-Image uneven_image() {
-  Image image(8, 4, 3);
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 8; ++x) {
-      const float value = (x == 2 && y == 1) ? 300.0f : (x == 5 && y == 2) ? 40.0f : (x + y) % 3 == 0 ? 0.0f : 0.5f;
-      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = value * (1 + 0.2f * static_cast<float>(c));
-    }
-  }
-  return image;
 }
 
 void add_one_sided(SceneBuilder& builder) {

@@ -9,6 +9,9 @@
 
 namespace candil::test {
 
+/// An environment of 8 x 4 texels from black to 300, the bright ones alone.
+Image uneven_image();
+
 SurfacePoint point_at(Vec3 position, Vec3 normal = Vec3(0, 1, 0));
 
 /// Single-sided; what it reflects is glTF's default.
