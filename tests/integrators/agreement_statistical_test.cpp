@@ -78,24 +78,28 @@ void rough_glass(SceneBuilder& builder) {
   builder.add_sphere(Vec3(0.9f, 0, -0.4f), 0.6f, builder.add_diffuse(Vec3(0.2f, 0.3f, 0.8f)), 16);
 }
 
-/// A two-sided emitter that is half there, with a texture, over holes; and an emitter that is only lit on its front.
-void partly_there(SceneBuilder& builder) {
-  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.7f)), true);
+/// A two-sided emitter whose texture, which becomes the scene's only one, leaves it partly there.
+Material glowing_checks(SceneBuilder& builder, Vec3 emission, std::uint8_t last_alpha) {
   TextureImage checks;
   checks.width = checks.height = 2;
   checks.has_alpha = true;
-  checks.rgba8 = {{255, 64, 0, 255}, {0, 255, 0, 40}, {10, 10, 255, 160}, {255, 255, 255, 0}};
+  checks.rgba8 = {{255, 64, 0, 255}, {0, 255, 0, 40}, {10, 10, 255, 160}, {255, 255, 255, last_alpha}};
   builder.scene.images = {checks};
   builder.scene.textures = {Texture{0, Wrap::repeat, Wrap::mirror, Filter::bilinear}};
-  TextureSlot slot;
-  slot.texture = 0;
   Material glowing = glossy(0, 0.6f, Vec3(0.8f));
-  glowing.emission = Vec3(5, 4, 3);
-  glowing.emission_texture = glowing.base_color_texture = slot;
+  glowing.emission = emission;
+  glowing.emission_texture.texture = glowing.base_color_texture.texture = 0;
   glowing.alpha_mode = AlphaMode::blend;
+  return glowing;
+}
+
+/// A two-sided emitter that is half there, with a texture, over holes; and an emitter that is only lit on its front.
+void partly_there(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.7f)), true);
+  const Material glowing = glowing_checks(builder, Vec3(5, 4, 3), 0);
   builder.add_quad(Vec3(-2, 1.5f, -2), Vec3(4, 0, 0), Vec3(0, 0, 4), builder.add_material(glowing));
   Material holes = glossy(0, 1, Vec3(0.6f));
-  holes.base_color_texture = slot;
+  holes.base_color_texture.texture = 0;
   holes.alpha_mode = AlphaMode::mask;
   builder.add_quad(Vec3(-1.5f, 0.4f, -1.5f), Vec3(3, 0, 0), Vec3(0, 0, 3), builder.add_material(holes));
   builder.add_quad(Vec3(-2.9f, -2, -2), Vec3(0, 3, 0), Vec3(0, 0, 3), builder.add_material(emitter(Vec3(1, 1, 3))));
@@ -128,16 +132,7 @@ void shape_lights(SceneBuilder& builder) {
                     builder.add_material(emitter(Vec3(6, 3, 2))));
   builder.add_shape(ShapeKind::sphere, {Mat3(0.5f), Vec3(1.3f, 0.9f, -0.5f)},
                     builder.add_material(emitter(Vec3(2, 4, 2))));
-  TextureImage checks;
-  checks.width = checks.height = 2;
-  checks.has_alpha = true;
-  checks.rgba8 = {{255, 64, 0, 255}, {0, 255, 0, 40}, {10, 10, 255, 160}, {255, 255, 255, 90}};
-  builder.scene.images = {checks};
-  builder.scene.textures = {Texture{0, Wrap::repeat, Wrap::mirror, Filter::bilinear}};
-  Material glowing = glossy(0, 0.6f, Vec3(0.8f));
-  glowing.emission = Vec3(3);
-  glowing.emission_texture.texture = glowing.base_color_texture.texture = 0;
-  glowing.alpha_mode = AlphaMode::blend;
+  const Material glowing = glowing_checks(builder, Vec3(3), 90);
   builder.add_shape(ShapeKind::disc, {downwards * 1.2f, Vec3(0, 2, 0.5f)}, builder.add_material(glowing));
   builder.add_shape(ShapeKind::sphere, {Mat3(0.4f), Vec3(0, -0.6f, 0.8f)}, builder.add_material(glowing));
   Material glass = glossy(0, 0, Vec3(1));
