@@ -19,6 +19,7 @@ struct RenderOptions {
   std::filesystem::path scene;
   std::vector<std::string> outputs;  ///< As typed; empty: a PNG named after the scene.
   std::optional<ImageSize> size;
+  AcceleratorOptions accelerator;
   RenderSettings settings;  ///< Everything but the size, which follows from the camera when it is not given.
   EnvironmentOptions environment;
   CameraOptions camera;

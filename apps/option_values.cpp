@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -30,6 +31,17 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+NameWithParameters split_parameters(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  NameWithParameters result{text.substr(0, colon), {}};
+  if (colon == std::string_view::npos) return result;
+  for (const std::string_view part : split(text.substr(colon + 1), ',')) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    result.parameters.push_back({part.substr(0, equals), part.substr(std::min(equals + 1, part.size()))});
+  }
+  return result;
 }
 
 double parse_real(std::string_view option, std::string_view text, double low, double high) {

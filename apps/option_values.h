@@ -31,6 +31,17 @@ inline constexpr int max_image_side = 32768;
 /// The parts between separators, empty ones too; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// "NAME", or "NAME:KEY=VALUE,KEY=VALUE...". A parameter without "=" has an empty value.
+struct NameWithParameters {
+  struct Parameter {
+    std::string_view key, value;
+  };
+  std::string_view name;
+  std::vector<Parameter> parameters;
+};
+/// Views of `text`.
+NameWithParameters split_parameters(std::string_view text);
+
 /// Throws UsageError that lists the words that are allowed.
 [[noreturn]] void fail_choice(std::string_view option, std::string_view text, const std::vector<std::string>& allowed);
 

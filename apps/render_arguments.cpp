@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 
+#include "apps/accelerator_argument.h"
 #include "apps/aov_arguments.h"
 #include "apps/display_arguments.h"
 #include "apps/usage_error.h"
@@ -86,6 +87,12 @@ void add_sampling_arguments(Arguments& arguments, RenderSettings& settings) {
                 [&](const auto& option, const auto& text) {
                   settings.threads = static_cast<int>(parse_integer(option, text, 1, 1024));
                 });
+}
+
+void add_accelerator_argument(Arguments& arguments, AcceleratorOptions& accelerator) {
+  arguments.group("Quality");
+  arguments.add("--accel", "NAME", accelerator_help,
+                [&](const auto& option, const auto& text) { accelerator = parse_accelerator(option, text); });
 }
 
 void add_camera_arguments(Arguments& arguments, CameraOptions& camera) {
@@ -185,6 +192,7 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
       ->required();
   add_output_arguments(app, arguments, options);
   add_sampling_arguments(arguments, options.settings);
+  add_accelerator_argument(arguments, options.accelerator);
   add_camera_arguments(arguments, options.camera);
   add_light_arguments(arguments, options.environment);
   app.footer(footer);

@@ -59,7 +59,7 @@ std::unique_ptr<PreparedScene> prepare(const RenderOptions& options) {
   prepared->tables = std::make_unique<BsdfTables>(prepared->scene);
   prepared->times.load = seconds_since(start);
   const Clock::time_point bvh_start = Clock::now();
-  prepared->accelerator = make_embree_accelerator(prepared->scene, alpha_filter());
+  prepared->accelerator = make_accelerator(prepared->scene, alpha_filter(), options.accelerator);
   prepared->times.bvh = seconds_since(bvh_start);
   return prepared;
 }

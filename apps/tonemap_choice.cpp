@@ -9,14 +9,6 @@
 namespace candil {
 namespace {
 
-/// The text up to `separator`, which goes together with it; all of the text where there is none.
-std::string_view take_part(std::string_view& text, char separator) {
-  const std::size_t end = text.find(separator);
-  const std::string_view part = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return part;
-}
-
 [[noreturn]] void fail_parameter(std::string_view option, std::string_view key, const std::string& name,
                                  std::span<const TonemapParameter> allowed) {
   if (allowed.empty()) throw UsageError(fmt::format("{}: {} takes no parameters, not '{}'", option, name, key));
@@ -26,11 +18,9 @@ std::string_view take_part(std::string_view& text, char separator) {
       fmt::format("{}: '{}' is not a parameter of {}, which takes {}", option, key, name, fmt::join(names, ", ")));
 }
 
-void set_parameter(Tonemap& tonemap, std::string_view option, std::string_view assignment) {
+void set_parameter(Tonemap& tonemap, std::string_view option, std::string_view key, std::string_view value) {
   const std::string name = tonemap_name(tonemap.kind);
   const std::span<const TonemapParameter> allowed = tonemap_parameters(tonemap.kind);
-  std::string_view value = assignment;
-  const std::string_view key = take_part(value, '=');
   for (const TonemapParameter& parameter : allowed)
     if (parameter.name == key) {
       const std::string place = fmt::format("{}: {}:{}", option, name, key);
@@ -43,14 +33,11 @@ void set_parameter(Tonemap& tonemap, std::string_view option, std::string_view a
 }  // namespace
 
 Tonemap parse_tonemap(std::string_view option, std::string_view text) {
-  std::string_view parameters = text;
-  const std::string_view name = take_part(parameters, ':');
+  const auto [name, parameters] = split_parameters(text);
   const std::optional<TonemapKind> kind = tonemap_from_name(name);
   if (!kind) fail_choice(option, name, tonemap_names());
   Tonemap tonemap = make_tonemap(*kind);
-  if (name.size() == text.size()) return tonemap;
-  do set_parameter(tonemap, option, take_part(parameters, ','));
-  while (!parameters.empty());
+  for (const auto& [key, value] : parameters) set_parameter(tonemap, option, key, value);
   return tonemap;
 }
 

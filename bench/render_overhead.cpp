@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   try {
     Scene scene = load_scene(argv[1]).scene;
     if (!has_light(scene)) scene.environment = make_studio_environment();
-    const auto accelerator = make_embree_accelerator(scene, alpha_filter());
+    const auto accelerator = make_accelerator(scene, alpha_filter());
     const LightSampler lights(scene);
     const BsdfTables tables(scene);
     RenderSettings settings;

@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "error: %s: no pinhole camera\n", argv[1]);
       return 3;
     }
-    const auto accelerator = make_embree_accelerator(scene, alpha_filter());
+    const auto accelerator = make_accelerator(scene, alpha_filter());
     const LightSampler lights(scene);
     const BsdfTables tables(scene);
     RenderSettings settings;

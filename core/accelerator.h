@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/ray.h"
 #include "core/scene.h"
@@ -36,9 +37,27 @@ class Accelerator {
   virtual std::size_t memory_bytes() const = 0;
 };
 
-/// Builds an Embree hierarchy on all threads of the calling task arena. The scene must outlive the result.
-/// Throws std::runtime_error when Embree cannot be started or runs out of memory.
-std::unique_ptr<Accelerator> make_embree_accelerator(const Scene& scene, HitFilter filter);
+enum class AcceleratorKind : std::uint8_t { embree };
+
+/// "embree"; nothing for any other name.
+std::optional<AcceleratorKind> accelerator_from_name(std::string_view name);
+
+/// What a build may cost for what it saves later.
+enum class BuildQuality : std::uint8_t { low, medium, high };
+
+struct AcceleratorOptions {
+  AcceleratorKind kind = AcceleratorKind::embree;
+  BuildQuality quality = BuildQuality::medium;
+  bool is_robust = true;        ///< Embree: no ray slips between two triangles of a closed mesh.
+  bool is_compact = false;      ///< Embree: less memory, slower rays.
+  std::string isa;              ///< Embree: the instruction set, as its documentation names them; empty: the best.
+  std::string frequency_level;  ///< Embree: the widest vectors, "simd128" to "simd512"; empty: its own choice.
+};
+
+/// Builds a hierarchy on all threads of the calling task arena. The scene must outlive the result.
+/// Throws std::runtime_error when Embree cannot be started or memory runs out.
+std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filter,
+                                              const AcceleratorOptions& options = {});
 
 /// "3.13.5": the version of the library that is linked.
 std::string embree_version();

@@ -1,8 +1,9 @@
+#include "core/embree_accelerator.h"
+
 #include <atomic>
 #include <stdexcept>
 #include <vector>
 
-#include "core/accelerator.h"
 #include "core/embree_api.h"
 #include "core/embree_callbacks.h"
 #include "core/shape_target.h"
@@ -12,9 +13,32 @@ namespace {
 
 using namespace embree;
 
+/// The configuration of a device, in the words of Embree's manual.
+std::string device_configuration(const AcceleratorOptions& options) {
+  std::string text;
+  const auto add = [&](const char* key, const std::string& value) {
+    if (!value.empty()) text += (text.empty() ? "" : ",") + std::string(key) + "=" + value;
+  };
+  add("isa", options.isa);
+  add("frequency_level", options.frequency_level);
+  return text;
+}
+
+RTCBuildQuality build_quality(BuildQuality quality) {
+  switch (quality) {
+    case BuildQuality::low:
+      return RTC_BUILD_QUALITY_LOW;
+    case BuildQuality::medium:
+      return RTC_BUILD_QUALITY_MEDIUM;
+    case BuildQuality::high:
+      break;
+  }
+  return RTC_BUILD_QUALITY_HIGH;
+}
+
 class EmbreeAccelerator final : public Accelerator {
  public:
-  EmbreeAccelerator(const Scene& scene, HitFilter filter);
+  EmbreeAccelerator(const Scene& scene, HitFilter filter, const AcceleratorOptions& options);
 
   std::optional<Hit> intersect(const Ray& ray) const override {
     Hit hit;
@@ -102,6 +126,7 @@ class EmbreeAccelerator final : public Accelerator {
 
   const Scene& scene_;
   HitFilter filter_;
+  AcceleratorOptions options_;
   std::atomic<std::ptrdiff_t> memory_{0};  // before the device, which reports to it until its end
   Device device_;
   Shapes shapes_;  // before the scene that points to it
@@ -115,8 +140,11 @@ class EmbreeAccelerator final : public Accelerator {
 
 SceneHandle EmbreeAccelerator::new_scene() const {
   SceneHandle scene(rtcNewScene(device_.get()));
-  // Watertight at shared edges: a ray cannot slip between two triangles of a closed mesh.
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  int flags = RTC_SCENE_FLAG_NONE;
+  if (options_.is_robust) flags |= RTC_SCENE_FLAG_ROBUST;  // watertight at shared edges
+  if (options_.is_compact) flags |= RTC_SCENE_FLAG_COMPACT;
+  rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(flags));
+  rtcSetSceneBuildQuality(scene.get(), build_quality(options_.quality));
   return scene;
 }
 
@@ -157,10 +185,11 @@ void EmbreeAccelerator::add_shapes() {
   rtcAttachGeometryByID(top_.get(), geometry.get(), static_cast<unsigned>(records_.size() - 1));
 }
 
-EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
+EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter, const AcceleratorOptions& options)
     : scene_(scene),
       filter_(filter),
-      device_(rtcNewDevice(nullptr)),
+      options_(options),
+      device_(rtcNewDevice(device_configuration(options).c_str())),
       shapes_(bounded_shapes(scene, filter)),
       planes_(scene, filter) {
   if (!device_.get()) throw std::runtime_error("Embree cannot be started");
@@ -220,8 +249,9 @@ EmbreeAccelerator::EmbreeAccelerator(const Scene& scene, HitFilter filter)
 
 }  // namespace
 
-std::unique_ptr<Accelerator> make_embree_accelerator(const Scene& scene, HitFilter filter) {
-  return std::make_unique<EmbreeAccelerator>(scene, filter);
+std::unique_ptr<Accelerator> make_embree_accelerator(const Scene& scene, HitFilter filter,
+                                                     const AcceleratorOptions& options) {
+  return std::make_unique<EmbreeAccelerator>(scene, filter, options);
 }
 
 std::string embree_version() {

@@ -60,7 +60,7 @@ class ShapeLights : public testing::TestWithParam<LightCase> {
     SceneBuilder builder;
     builder.add_shape(light.kind, light.to_world, builder.add_material(material));
     scene_ = builder.scene;
-    accelerator_ = make_embree_accelerator(scene_, alpha_filter());
+    accelerator_ = make_accelerator(scene_, alpha_filter());
     lights_ = std::make_unique<LightSampler>(scene_);
     from_.position = light.from;
   }
@@ -171,7 +171,7 @@ TEST(ShapeLight, SmallOnesAreNotInTheirOwnShadow) {
     if (kind == 0) builder.add_shape(ShapeKind::sphere, {size * Mat3(1), Vec3(0)}, lamp);
     if (kind == 1) builder.add_shape(ShapeKind::disc, {size * downwards, Vec3(0)}, lamp);
     if (kind == 2) builder.add_quad(Vec3(-size, 0, -size), Vec3(2 * size, 0, 0), Vec3(0, 0, 2 * size), lamp);
-    const auto accelerator = make_embree_accelerator(builder.scene, alpha_filter());
+    const auto accelerator = make_accelerator(builder.scene, alpha_filter());
     const LightSampler lights(builder.scene);
     Random random(6);
     for (const float distance : {1.0f, 10.0f, 1000.0f}) {

@@ -73,7 +73,7 @@ template <class MakeRay>
 void expect_agreement(const Scene& scene, int ray_count, double decided_share, const MakeRay& make_ray) {
   for (const bool is_filtered : {false, true}) {
     SCOPED_TRACE(is_filtered ? "alpha filter" : "no filter");
-    const auto accelerator = make_embree_accelerator(scene, is_filtered ? alpha_filter() : HitFilter{});
+    const auto accelerator = make_accelerator(scene, is_filtered ? alpha_filter() : HitFilter{});
     const BruteForce judge(scene,
                            is_filtered ? BruteForce::BackFaces::as_materials_say : BruteForce::BackFaces::visible);
     Random random(42);
@@ -178,7 +178,7 @@ TEST(Accelerator, TrianglesOfCornersInALineAreHitOnTheLineOnly) {
   }
   SceneBuilder builder;
   builder.add_mesh(mesh, builder.add_diffuse(Vec3(0.5f)));
-  const auto accelerator = make_embree_accelerator(builder.scene, alpha_filter());
+  const auto accelerator = make_accelerator(builder.scene, alpha_filter());
   double farthest = 0;
   for (int i = 0; i < 50000; ++i) {
     const Ray ray =
@@ -232,7 +232,7 @@ TEST(Accelerator, ClosedSurfacesHaveNoHoles) {
     if (is_instanced) to_world = {Mat3(Vec3(-3, 0.5f, 0), Vec3(0.2f, 1, 0.1f), Vec3(0, 0, 2)), Vec3(10, -20, 30)};
     builder.scene.instances[0].to_world = to_world;
     builder.scene.instances[0].is_world_space = !is_instanced;
-    const auto accelerator = make_embree_accelerator(builder.scene, alpha_filter());
+    const auto accelerator = make_accelerator(builder.scene, alpha_filter());
     Random random(6);
     int misses = 0, misses_at_vertices = 0;
     const auto misses_ray = [&](Vec3 origin, Vec3 towards) {
@@ -278,7 +278,7 @@ TEST(Accelerator, AgreesThroughInstances) {
 // A hit just before t_max counts, one just behind it does not; the next one behind never takes its place.
 TEST(Accelerator, RespectsTheEndOfTheRay) {
   const Scene scene = mixed_soup(1, 8);
-  const auto accelerator = make_embree_accelerator(scene, alpha_filter());
+  const auto accelerator = make_accelerator(scene, alpha_filter());
   Random random(9);
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -301,7 +301,7 @@ TEST(Accelerator, RespectsTheEndOfTheRay) {
 
 TEST(Accelerator, EmptySceneIsNeverHit) {
   const Scene scene;
-  const auto accelerator = make_embree_accelerator(scene, alpha_filter());
+  const auto accelerator = make_accelerator(scene, alpha_filter());
   EXPECT_FALSE(accelerator->intersect(Ray{}));
   EXPECT_FALSE(accelerator->occluded(Ray{}));
 }

@@ -75,8 +75,8 @@ TEST(ShapeAccelerator, FindsTheNearestOfAll) {
       const Scene scene = crowd(1, has_planes, has_triangles);
       Scene triangles = scene;
       triangles.shapes.clear();
-      const auto accelerator = make_embree_accelerator(scene, alpha_filter());
-      const auto triangle_accelerator = make_embree_accelerator(triangles, alpha_filter());
+      const auto accelerator = make_accelerator(scene, alpha_filter());
+      const auto triangle_accelerator = make_accelerator(triangles, alpha_filter());
       Random random(2);
       int hits = 0, on_planes = 0, on_triangles = 0;
       for (int i = 0; i < 20000; ++i) {
@@ -106,7 +106,7 @@ TEST(ShapeAccelerator, FindsTheNearestOfAll) {
 // intersect_each() gives each ray the answer that it gets alone, misses included.
 TEST(ShapeAccelerator, ManyRaysAreLikeEachAlone) {
   const Scene scene = crowd(3, true, true);
-  const auto accelerator = make_embree_accelerator(scene, alpha_filter());
+  const auto accelerator = make_accelerator(scene, alpha_filter());
   Random random(4);
   std::vector<Ray> rays;
   for (int i = 0; i < 1000; ++i) rays.push_back(random_ray(random));
@@ -130,7 +130,7 @@ TEST_P(ShapeInHierarchy, LosesNoRay) {
   const Shape& shape = GetParam().shape;
   Scene opaque = scene;
   opaque.materials[0].base_color_texture.texture = invalid_id;
-  const auto accelerator = make_embree_accelerator(opaque, alpha_filter());
+  const auto accelerator = make_accelerator(opaque, alpha_filter());
   const ShapeIntersector intersector(shape);
   Random random(5);
   int lost = 0;
@@ -164,8 +164,8 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
   fine.add_sphere(Vec3(0), 1, fine.add_diffuse(Vec3(0.5f)), rows);
   fine.scene.instances[0].to_world = to_world;
   fine.scene.instances[0].is_world_space = false;
-  const auto exact_accelerator = make_embree_accelerator(exact.scene, alpha_filter());
-  const auto fine_accelerator = make_embree_accelerator(fine.scene, alpha_filter());
+  const auto exact_accelerator = make_accelerator(exact.scene, alpha_filter());
+  const auto fine_accelerator = make_accelerator(fine.scene, alpha_filter());
   // 1 - cos of half a cell's diagonal, in units of the ball; the transform stretches by less than 2.
   const float sagitta = 2 * (1 - std::cos(std::sqrt(2.0f) * pi / (2 * rows)));
   Random random(6);
@@ -207,8 +207,8 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfADisc) {
   fine.add_mesh(fan, fine.add_material(Material{}));
   fine.scene.instances[0].to_world = to_world;
   fine.scene.instances[0].is_world_space = false;
-  const auto exact_accelerator = make_embree_accelerator(exact.scene, alpha_filter());
-  const auto fine_accelerator = make_embree_accelerator(fine.scene, alpha_filter());
+  const auto exact_accelerator = make_accelerator(exact.scene, alpha_filter());
+  const auto fine_accelerator = make_accelerator(fine.scene, alpha_filter());
   Random random(7);
   int compared = 0, differ = 0, culled = 0;
   for (int i = 0; i < 50000; ++i) {
@@ -236,7 +236,7 @@ TEST(ShapeAccelerator, AlphaCountsOnBothSidesOfASphere) {
   half.alpha_mode = AlphaMode::blend;
   half.is_double_sided = true;
   builder.add_shape(ShapeKind::sphere, {Mat3(2), Vec3(0)}, builder.add_material(half));
-  const auto accelerator = make_embree_accelerator(builder.scene, alpha_filter());
+  const auto accelerator = make_accelerator(builder.scene, alpha_filter());
   Random random(8);
   std::vector<double> observed(3);
   constexpr int count = 40000;

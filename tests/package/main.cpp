@@ -26,7 +26,7 @@ candil::Scene make_triangle() {
 
 bool triangle_is_hit() {
   const candil::Scene scene = make_triangle();
-  const auto accelerator = candil::make_embree_accelerator(scene, candil::alpha_filter());
+  const auto accelerator = candil::make_accelerator(scene, candil::alpha_filter());
   candil::Ray ray;
   ray.origin = {0, 0, 3};
   ray.direction = {0, 0, -1};
@@ -37,7 +37,7 @@ bool triangle_is_hit() {
 bool file_renders(const char* path) {
   const candil::LoadedScene loaded = candil::load_scene(path);
   const candil::Scene& scene = loaded.scene;
-  const auto accelerator = candil::make_embree_accelerator(scene, candil::alpha_filter());
+  const auto accelerator = candil::make_accelerator(scene, candil::alpha_filter());
   const candil::LightSampler lights(scene);
   const candil::BsdfTables tables(scene);
   candil::RenderSettings settings;

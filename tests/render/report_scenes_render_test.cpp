@@ -84,7 +84,7 @@ class ReportScene {
   /// Throws if a sample is not finite, which the film would count as black.
   Image render(std::uint64_t seed) {
     if (!accelerator_) {
-      accelerator_ = make_embree_accelerator(scene_, alpha_filter());
+      accelerator_ = make_accelerator(scene_, alpha_filter());
       lights_ = std::make_unique<LightSampler>(scene_);
       tables_ = std::make_unique<BsdfTables>(scene_);
     }

@@ -57,7 +57,7 @@ class Studio {
   }
 
   const Scene scene_;
-  const std::unique_ptr<Accelerator> accelerator_ = make_embree_accelerator(scene_, alpha_filter());
+  const std::unique_ptr<Accelerator> accelerator_ = make_accelerator(scene_, alpha_filter());
   const LightSampler lights_;
   const BsdfTables tables_;
 };

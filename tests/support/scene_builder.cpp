@@ -81,7 +81,7 @@ std::uint32_t SceneBuilder::add_shape(ShapeKind kind, const Affine& to_world, st
 
 Stage::Stage(Scene scene)
     : scene_(std::move(scene)),
-      accelerator_(make_embree_accelerator(scene_, alpha_filter())),
+      accelerator_(make_accelerator(scene_, alpha_filter())),
       lights_(scene_),
       tables_(scene_) {}
 
