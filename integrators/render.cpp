@@ -112,39 +112,43 @@ class RenderJob {
     return {camera_.ray(position, u_lens), sampler};
   }
 
+  /// Gives the film the samples of a pixel's block; answers how many were not finite.
+  std::uint64_t add_pixel(int x, int y, std::span<const PathSample> samples) {
+    std::uint64_t non_finite = 0;
+    PairwiseSum<PixelSums> sum;
+    for (PathSample sample : samples) {
+      if (!is_finite(sample.radiance)) {
+        ++non_finite;
+        sample.radiance = Vec3(0);
+      }
+      sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
+    }
+    film_.block_pixel(x, y) = sum.total();
+    return non_finite;
+  }
+
   void render_tile(const tbb::blocked_range2d<int>& tile, const Block& block) {
     const DenormalsAreZero denormals_are_zero;
     RayCounts rays;
     std::uint64_t non_finite = 0;
+    // A row at a time: its samples stay in the cache.
     std::vector<CameraSample> samples;
-    samples.reserve(tile.rows().size() * tile.cols().size() * block.samples);
+    std::vector<PathSample> results(tile.cols().size() * block.samples);
+    samples.reserve(results.size());
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      samples.clear();
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         const Sampler sampler({x, y}, 0, settings_.seed);
         for (std::uint32_t i = 0; i < block.samples; ++i) {
           samples.push_back(camera_sample({x, y}, sampler.at_sample(block.first_sample + i)));
         }
       }
-    }
-    std::vector<PathSample> results(samples.size());
-    trace_(context_, settings_, samples, results, rays);
-
-    const PathSample* next = results.data();
-    for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      trace_(context_, settings_, samples, results, rays);
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-        PairwiseSum<PixelSums> sum;
-        for (std::uint32_t i = 0; i < block.samples; ++i) {
-          PathSample sample = *next++;
-          if (!is_finite(sample.radiance)) {
-            ++non_finite;
-            sample.radiance = Vec3(0);
-          }
-          sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
-        }
-        film_.block_pixel(x, y) = sum.total();
+        const std::size_t first = static_cast<std::size_t>(x - tile.cols().begin()) * block.samples;
+        non_finite += add_pixel(x, y, std::span(results).subspan(first, block.samples));
         if (aov_film_) {
-          const std::size_t end = static_cast<std::size_t>(next - results.data());
-          const auto of_pixel = std::span(samples).subspan(end - block.samples, block.samples);
+          const auto of_pixel = std::span(samples).subspan(first, block.samples);
           aov_film_->add_pixel(x, y, of_pixel, block.first_sample == 0, rays);
         }
       }
