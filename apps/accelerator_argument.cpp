@@ -44,10 +44,13 @@ AcceleratorOptions parse_accelerator(std::string_view option, std::string_view t
   const std::string place(option);
   const auto [name, parameters] = split_parameters(text);
   const std::optional<AcceleratorKind> kind = accelerator_from_name(name);
-  if (!kind) fail_choice(place, name, {"embree"});
+  if (!kind) fail_choice(place, name, accelerator_names());
   AcceleratorOptions options;
   options.kind = *kind;
-  for (const auto& [key, value] : parameters) set_option(options, place, key, value);
+  for (const auto& [key, value] : parameters) {
+    if (*kind != AcceleratorKind::embree) throw UsageError(fmt::format("{}: {} has no options", place, name));
+    set_option(options, place, key, value);
+  }
   return options;
 }
 
