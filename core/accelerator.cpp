@@ -4,6 +4,8 @@
 #include <array>
 
 #include "core/bvh/brute.h"
+#include "core/bvh/report.h"
+#include "core/bvh/sah.h"
 #include "core/bvh/two_level.h"
 #include "core/embree_accelerator.h"
 
@@ -11,7 +13,7 @@ namespace candil {
 namespace {
 
 /// In the order of AcceleratorKind.
-constexpr std::array names = {"embree", "brute"};
+constexpr std::array names = {"embree", "report", "sah", "brute"};
 
 }  // namespace
 
@@ -29,6 +31,10 @@ std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filt
   switch (options.kind) {
     case AcceleratorKind::embree:
       break;
+    case AcceleratorKind::report:
+      return std::make_unique<TwoLevelAccelerator<ReportTriangles, ReportBoxes>>(scene, filter, options.quality);
+    case AcceleratorKind::sah:
+      return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options.quality);
     case AcceleratorKind::brute:
       return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options.quality);
   }

@@ -40,6 +40,8 @@ class Accelerator {
 
 enum class AcceleratorKind : std::uint8_t {
   embree,  ///< Intel's library.
+  report,  ///< core/bvh/report.h: that of the report, slow on purpose.
+  sah,     ///< core/bvh/sah.h: a binary hierarchy, as textbooks have it.
   brute,   ///< core/bvh/brute.h: no hierarchy, the oracle.
 };
 

@@ -44,9 +44,9 @@ struct SlabRay {
   explicit SlabRay(const Ray& ray) : origin(ray.origin), inverse_direction(1.0f / ray.direction) {}
 };
 
-/// Where the ray enters the box, at least 0; infinity if it does not with t in [0, t_max].
-inline float enter_box(const SlabRay& ray, const Bounds& box, float t_max) {
-  float near = 0, far = t_max;
+/// Whether the ray's line meets the box, at any t, also behind the origin.
+inline bool is_met_by_line(const SlabRay& ray, const Bounds& box) {
+  float near = -infinity, far = infinity;
   for (int axis = 0; axis < 3; ++axis) {
     const float t_low = (box.low[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
     const float t_high = (box.high[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
@@ -55,7 +55,8 @@ inline float enter_box(const SlabRay& ray, const Bounds& box, float t_max) {
     near = t_in > near ? t_in : near;
     far = t_out < far ? t_out : far;
   }
-  return near <= far * far_slack ? near : infinity;
+  // The ends may be negative, and both infinite.
+  return near <= far || near - far <= (far_slack - 1) * std::abs(far);
 }
 
 }  // namespace candil
