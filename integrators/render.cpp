@@ -1,39 +1,23 @@
 #include "integrators/render.h"
 
-#include <pmmintrin.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <xmmintrin.h>
 
 #include <chrono>
 #include <mutex>
+#include <span>
 
-#include "core/camera.h"
+#include "core/denormals.h"
 #include "integrators/aov_film.h"
-#include "integrators/integrator.h"
+#include "integrators/camera_sampling.h"
 
 namespace candil {
 namespace {
 
 constexpr double progress_interval_seconds = 0.2;
-
-/// Flushes denormals to zero while it lives: Embree asks for it, and our own sums do not need them.
-class DenormalsAreZero {
- public:
-  DenormalsAreZero() : saved_(_mm_getcsr()) {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~DenormalsAreZero() { _mm_setcsr(saved_); }
-  DenormalsAreZero(const DenormalsAreZero&) = delete;
-  DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
-
- private:
-  unsigned saved_;
-};
 
 struct Block {
   std::uint32_t first_sample, samples;
@@ -47,8 +31,7 @@ class RenderJob {
             const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop)
       : context_(context),
         settings_(settings),
-        camera_(camera, settings.width, settings.height),
-        filter_(settings.filter),
+        camera_(camera, settings),
         trace_(integrator_function(settings.integrator)),
         on_progress_(on_progress),
         stop_(stop),
@@ -106,12 +89,6 @@ class RenderJob {
         tbb::simple_partitioner());
   }
 
-  CameraSample camera_sample(Vec2 pixel, const Sampler& sampler) const {
-    const Vec2 position = pixel + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
-    const Vec2 u_lens = camera_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
-    return {camera_.ray(position, u_lens), sampler};
-  }
-
   /// Gives the film the samples of a pixel's block; answers how many were not finite.
   std::uint64_t add_pixel(int x, int y, std::span<const PathSample> samples) {
     std::uint64_t non_finite = 0;
@@ -140,7 +117,7 @@ class RenderJob {
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         const Sampler sampler({x, y}, 0, settings_.seed);
         for (std::uint32_t i = 0; i < block.samples; ++i) {
-          samples.push_back(camera_sample({x, y}, sampler.at_sample(block.first_sample + i)));
+          samples.push_back(camera_.sample({x, y}, sampler.at_sample(block.first_sample + i)));
         }
       }
       trace_(context_, settings_, samples, results, rays);
@@ -185,8 +162,7 @@ class RenderJob {
 
   const RenderContext& context_;
   const RenderSettings& settings_;
-  const CameraRays camera_;
-  const PixelFilter filter_;
+  const CameraSampling camera_;
   const BatchIntegrator trace_;
   const std::function<void(const RenderProgress&)>& on_progress_;
   const std::atomic<bool>* stop_;
