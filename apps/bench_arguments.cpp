@@ -20,6 +20,7 @@ is the time of the bare replay, by the first accelerator, over that of a real re
 Examples:
   candil bench model.glb
   candil bench model.glb --accel embree --accel embree:robust=off --threads 2
+  candil bench model.glb --accel embree --accel brute --limit 10
   candil bench a.glb b.json --json bench.json --plot bench.svg
   candil bench a.glb --json - --quiet | jq .scenes[0].contestants)";
 
@@ -91,7 +92,7 @@ void add_bench_arguments(CLI::App& app, BenchOptions& options) {
            for (const std::string& text : texts)
              options.accelerators.push_back({text, parse_accelerator("--accel", text)});
          },
-         std::string("A contestant; may be given several times. ") + accelerator_help)
+         std::string("A contestant; may be given several times (default: all but brute). ") + accelerator_help)
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->group("Measurement");
@@ -101,7 +102,12 @@ void add_bench_arguments(CLI::App& app, BenchOptions& options) {
 }
 
 void complete_bench_arguments(BenchOptions& options) {
-  if (options.accelerators.empty()) options.accelerators.push_back({"embree", {}});
+  if (options.accelerators.empty()) {
+    for (const std::string& name : accelerator_names()) {
+      const AcceleratorOptions accelerator = parse_accelerator("--accel", name);
+      if (accelerator.kind != AcceleratorKind::brute) options.accelerators.push_back({name, accelerator});
+    }
+  }
   if (!options.threads.empty()) return;
   const auto all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   options.threads = {1};

@@ -11,7 +11,7 @@ namespace candil {
 namespace {
 
 constexpr float margin = 16, axis_width = 44, line_height = 18;
-constexpr float bar_width = 28, group_gap = 30, panel_height = 180, panel_gap = 58;
+constexpr float bar_width = 28, group_gap = 30, least_group_width = 112, panel_height = 180, panel_gap = 58;
 constexpr ChartColor grid_color{221, 221, 221}, frame_color{102, 102, 102}, whisker_color{51, 51, 51};
 
 /// Of the contestants in their order; further ones begin again. Told apart also by who confuses red and green (Okabe
@@ -37,7 +37,7 @@ class BarChart {
   explicit BarChart(const BenchReport& report) : report_(report) {
     thread_index_ =
         static_cast<std::size_t>(std::ranges::max_element(report.options.threads) - report.options.threads.begin());
-    group_width_ = group_gap + bar_width * static_cast<float>(report.options.accelerators.size());
+    group_width_ = std::max(least_group_width, group_gap + bars_width());
     chart_.width = 2 * margin + axis_width + group_width_ * static_cast<float>(ray_kind_count);
   }
 
@@ -58,6 +58,9 @@ class BarChart {
   }
 
  private:
+  /// Of all contestants for one kind of ray.
+  float bars_width() const { return bar_width * static_cast<float>(report_.options.accelerators.size()); }
+
   void write(float x, float y, const std::string& text, Chart::Anchor anchor = Chart::Anchor::left) {
     chart_.texts.push_back({x, y, anchor, text});
     if (anchor == Chart::Anchor::left) chart_.width = std::max(chart_.width, x + chart_text_width(text) + margin);
@@ -103,7 +106,7 @@ class BarChart {
       write(group + 0.5f * group_width_, bottom + line_height, ray_kind_name(ray_kinds[k]), Chart::Anchor::middle);
       for (std::size_t c = 0; c < scene.result.contestants.size(); ++c) {
         const Spread& s = rate(scene, c, ray_kinds[k]).rays_per_second;
-        const float x = group + 0.5f * group_gap + bar_width * static_cast<float>(c);
+        const float x = group + 0.5f * (group_width_ - bars_width()) + bar_width * static_cast<float>(c);
         const float middle = x + 0.5f * bar_width, height = height_of(s.median);
         chart_.rectangles.push_back({x + 2, bottom - height, bar_width - 4, height, bar_color(c)});
         chart_.rectangles.push_back(

@@ -43,8 +43,8 @@ Json describe(const RenderOverhead& overhead) {
           {"samples_per_second", describe(overhead.samples_per_second)},
           {"share", describe(overhead.total)},
           {"primary_share", describe(overhead.primary)},
-          {"first_bounce_share", describe(overhead.first_bounce)},
-          {"deeper_share", describe(overhead.deeper)},
+          {"first_bounce_share", overhead.first_bounce},
+          {"deeper_share", overhead.deeper},
           {"share_of_bare_embree", describe(overhead.bare_total)}};
 }
 

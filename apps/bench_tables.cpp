@@ -44,7 +44,7 @@ std::string describe_scene(const BenchReport& report, const BenchedScene& scene)
   if (s.instanced_triangles != s.triangles)
     text += fmt::format(", {} with instances ({})", with_thousands(s.instanced_triangles), with_thousands(s.instances));
   const std::size_t shapes = s.spheres + s.discs + s.planes;
-  if (shapes > 0) text += fmt::format(", {} shapes", with_thousands(shapes));
+  if (shapes > 0) text += fmt::format(", {} shape{}", with_thousands(shapes), shapes == 1 ? "" : "s");
   std::size_t rays = 0;
   for (const RayKind kind : ray_kinds) rays += r.rays[kind];
   text += fmt::format("\n{}x{} at {} spp: {} rays recorded, {}", report.options.size.width, report.options.size.height,
@@ -112,9 +112,8 @@ std::string overhead_line(const BenchReport& report, const BenchedScene& scene, 
   std::string text = fmt::format("  {:.2f} with {}: {} Mrays/s, {} Msamples/s; primary {:.2f}", o.total.median,
                                  threads_text(report.options.threads[t]), in_millions(o.rays_per_second.median),
                                  in_millions(o.samples_per_second.median), o.primary.median);
-  if (o.first_bounce.median != 0)
-    text += fmt::format(", first bounce and its shadow rays {:.2f}", o.first_bounce.median);
-  if (o.deeper.median != 0) text += fmt::format(", deeper {:.2f}", o.deeper.median);
+  if (o.first_bounce != 0) text += fmt::format(", first bounce and its shadow rays {:.2f}", o.first_bounce);
+  if (o.deeper != 0) text += fmt::format(", deeper {:.2f}", o.deeper);
   if (o.bare_total.median != 0) text += fmt::format("; {:.2f} of bare Embree", o.bare_total.median);
   return text + "\n";
 }

@@ -47,15 +47,17 @@ struct ContestantResult {
 /// What the renderer makes of the first contestant, as parts of what the bare replay of the same rays would take: 1 is
 /// a renderer that costs nothing. Each ratio is of one repetition. A render is three renders here, that of what emits,
 /// that of one bounce, and the whole: their differences tell what each depth costs. Shadow rays count as much as those
-/// of the recording on the average.
+/// of the recording on the average. Differences of short times are worth little: those that are not positive are told
+/// as 0.
 struct RenderOverhead {
   Spread rays_per_second;  ///< In the whole render.
   Spread samples_per_second;
-  Spread total;         ///< Replay time over render time.
-  Spread primary;       ///< Of camera rays alone, film and sampler included.
-  Spread first_bounce;  ///< Of the rays of the first bounce, and the shadow rays of the surfaces that they leave.
-  Spread deeper;        ///< Of all further ones.
-  Spread bare_total;    ///< `total`, but beside Embree asked directly (bench/bare_embree.h); zero if that cannot be.
+  Spread total;             ///< Replay time over render time.
+  Spread primary;           ///< Of camera rays alone, film and sampler included.
+  double first_bounce = 0;  ///< Of the rays of the first bounce, and the shadow rays of the surfaces that they leave;
+                            ///< ratio of medians.
+  double deeper = 0;        ///< Of all further ones; likewise.
+  Spread bare_total;  ///< `total`, but beside Embree asked directly (bench/bare_embree.h); zero if that cannot be.
 };
 
 struct ContestResult {

@@ -7,6 +7,12 @@ namespace {
 
 double to_double(std::uint64_t count) { return static_cast<double>(count); }
 
+/// Ratio of the medians, 0 if nothing can be said.
+double share(const std::vector<double>& part, const std::vector<double>& whole) {
+  const double median = spread_of(whole).median;
+  return median > 0 ? spread_of(part).median / median : 0;
+}
+
 }  // namespace
 
 RenderTimes::RenderTimes(const RenderContext& context, const Camera& camera, const RenderSettings& settings,
@@ -30,7 +36,7 @@ RenderOverhead RenderTimes::overhead(std::size_t thread_index,
                                      const PerRayKind<std::vector<double>>& ray_seconds) const {
   const Seconds& seconds = seconds_[thread_index];
   const RayCounts &none = rays_[0], &one = rays_[1], &all = rays_[2];
-  std::vector<double> rays, samples, total, primary, first_bounce, deeper;
+  std::vector<double> rays, samples, total, primary, replay_first, replay_deeper, render_first, render_deeper;
   for (std::size_t i = 0; i < seconds[0].size(); ++i) {
     const double shadow = ray_seconds[RayKind::shadow][i];
     const double of_primary = to_double(none.camera) * ray_seconds[RayKind::primary][i];
@@ -42,17 +48,17 @@ RenderOverhead RenderTimes::overhead(std::size_t thread_index,
     samples.push_back(to_double(all.camera) / seconds[2][i]);
     total.push_back((of_primary + of_first + of_deeper) / seconds[2][i]);
     primary.push_back(of_primary / seconds[0][i]);
-    // A difference of two times may be anything where there is nothing to do.
-    if (one.bounce > 0) first_bounce.push_back(of_first / (seconds[1][i] - seconds[0][i]));
-    if (all.bounce > one.bounce) deeper.push_back(of_deeper / (seconds[2][i] - seconds[1][i]));
+    replay_first.push_back(of_first), render_first.push_back(seconds[1][i] - seconds[0][i]);
+    replay_deeper.push_back(of_deeper), render_deeper.push_back(seconds[2][i] - seconds[1][i]);
   }
-  return {spread_of(rays),
-          spread_of(samples),
-          spread_of(total),
-          spread_of(primary),
-          spread_of(first_bounce),
-          spread_of(deeper),
-          {}};
+  RenderOverhead result;
+  result.rays_per_second = spread_of(rays);
+  result.samples_per_second = spread_of(samples);
+  result.total = spread_of(total);
+  result.primary = spread_of(primary);
+  result.first_bounce = share(replay_first, render_first);
+  result.deeper = share(replay_deeper, render_deeper);
+  return result;
 }
 
 }  // namespace candil
