@@ -88,10 +88,28 @@ class Comparison {
            max_component(Vec3(glm::abs(a.barycentric - b.barycentric), 0)) <= clearly_the_same_place;
   }
 
+  /// By how much a triangle stretches errors of the ray into errors of the place on it, across the ray: a weight is a
+  /// distance from an edge over the height above that edge, as seen along the ray, and moves the place by up to the
+  /// longest edge. 1 for shapes.
+  float conditioning(const Ray& ray, const Hit& hit) const {
+    if (hit.is_shape()) return 1;
+    Hit corner = hit;
+    Vec3 corners[3];
+    for (int i = 0; i < 3; ++i) {
+      corner.barycentric = {i == 1 ? 1 : 0, i == 2 ? 1 : 0};
+      const Vec3 p = make_surface_point(scene_, corner).position - ray.origin;
+      corners[i] = p - glm::dot(p, ray.direction) * ray.direction;
+    }
+    const Vec3 e0 = corners[1] - corners[0], e1 = corners[2] - corners[1], e2 = corners[0] - corners[2];
+    const float longest_squared = max_component({length_squared(e0), length_squared(e1), length_squared(e2)});
+    return std::max(1.0f, longest_squared / glm::length(glm::cross(e0, e2)));
+  }
+
   /// Whether the place on the primitive is on the ray's line, as the answer claims.
   bool is_on_line(const Ray& ray, const Hit& hit, float error) const {
     const Vec3 offset = make_surface_point(scene_, hit).position - (ray.origin + hit.t * ray.direction);
-    return glm::length(offset - glm::dot(offset, ray.direction) * ray.direction) <= 2 * error;
+    const float distance = glm::length(offset - glm::dot(offset, ray.direction) * ray.direction);
+    return distance <= 2 * error || distance <= 2 * error * conditioning(ray, hit);
   }
 
   /// The ray itself moved by `distance`, sideways in eight directions and along itself in both.

@@ -21,7 +21,7 @@ class Quality:
 
 QUALITIES = {
     "quick": Quality("quick", ("--size", "128x128", "--spp", 2, "--repeat", 3, "--limit", 0.25), 100_000),
-    "full": Quality("full", ("--size", "512x512", "--spp", 4, "--repeat", 7, "--limit", 1), 10_000_000),
+    "full": Quality("full", ("--size", "384x384", "--spp", 4, "--repeat", 5, "--limit", 0.4), 10_000_000),
 }
 
 
