@@ -54,10 +54,8 @@ struct BinSplit {
 class Bins {
  public:
   explicit Bins(int count) : count_(count) {
-    for (int axis = 0; axis < 3; ++axis) {
-      std::fill_n(boxes_[axis], count, FlippedBox());
-      std::fill_n(sizes_[axis], count, 0U);
-    }
+    for (int axis = 0; axis < 3; ++axis) std::fill_n(boxes_[axis], count, FlippedBox());
+    std::memset(sizes_, 0, static_cast<std::size_t>(count) * sizeof sizes_[0]);
   }
   void add(std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
     for (const PrimitiveRef& ref : refs) {
@@ -65,7 +63,7 @@ class Bins {
       const FlippedBox box(ref.v);  // with the id in a lane that nobody reads
       for (int axis = 0; axis < 3; ++axis) {
         boxes_[axis][bin[axis]].add(box);
-        ++sizes_[axis][bin[axis]];
+        ++sizes_[bin[axis]][axis];
       }
     }
   }
@@ -73,37 +71,68 @@ class Bins {
     for (int axis = 0; axis < 3; ++axis) {
       for (int i = 0; i < count_; ++i) {
         boxes_[axis][i].add(other.boxes_[axis][i]);
-        sizes_[axis][i] += other.sizes_[axis][i];
+        sizes_[i][axis] += other.sizes_[i][axis];
       }
     }
   }
+  /// Sweeps over all axes at once: lane `axis` of each vector.
   BinSplit best_split(const BinMapping& mapping) const {
+    Float4 right_cost[max_bins];
+    FlippedBox x, y, z;  // joined boxes of the bins along each axis
+    Float4 size = splat(0);
+    for (int i = count_ - 1; i > 0; --i) {
+      x.add(boxes_[0][i]), y.add(boxes_[1][i]), z.add(boxes_[2][i]);
+      size += sizes(i);
+      right_cost[i] = size * half_areas(x, y, z);  // infinity times 0, not a number, where the right side is empty
+    }
+    Float4 least = splat(infinity), least_bin = splat(0), least_size = splat(0);
+    x = y = z = FlippedBox(), size = splat(0);
+    for (int i = 1; i < count_; ++i) {
+      x.add(boxes_[0][i - 1]), y.add(boxes_[1][i - 1]), z.add(boxes_[2][i - 1]);
+      size += sizes(i - 1);
+      const Float4 cost = size * half_areas(x, y, z) + right_cost[i];
+      const auto is_less = cost < least;  // never for what is not a number
+      least = is_less ? cost : least;
+      least_bin = is_less ? splat(static_cast<float>(i)) : least_bin;
+      least_size = is_less ? size : least_size;
+    }
     BinSplit best;
     for (int axis = 0; axis < 3; ++axis) {
-      if (mapping.scale[axis] == 0) continue;
-      float right_cost[max_bins];
-      FlippedBox box;
-      std::uint32_t size = 0;
-      for (int i = count_ - 1; i > 0; --i) {
-        box.add(boxes_[axis][i]), size += sizes_[axis][i];
-        right_cost[i] = size > 0 ? static_cast<float>(size) * box.half_area() : infinity;
-      }
-      box = FlippedBox(), size = 0;
-      for (int i = 1; i < count_; ++i) {
-        box.add(boxes_[axis][i - 1]), size += sizes_[axis][i - 1];
-        if (size == 0) continue;
-        const float cost = static_cast<float>(size) * box.half_area() + right_cost[i];
-        if (cost < best.cost) best.cost = cost, best.axis = axis, best.bin = i, best.left_count = size, best.left = box;
-      }
+      if (!(least[axis] < best.cost) || mapping.scale[axis] == 0) continue;
+      best.cost = least[axis], best.axis = axis;
+      best.bin = static_cast<int>(least_bin[axis]), best.left_count = static_cast<std::uint32_t>(least_size[axis]);
     }
-    for (int i = best.bin; i < count_ && best.cost < infinity; ++i) best.right.add(boxes_[best.axis][i]);
     return best;
+  }
+  /// The boxes of both sides, and the exact number of the left one.
+  void measure(BinSplit& split) const {
+    split.left_count = 0;
+    for (int i = 0; i < count_; ++i) {
+      if (i < split.bin) split.left_count += sizes_[i][split.axis];
+      (i < split.bin ? split.left : split.right).add(boxes_[split.axis][i]);
+    }
   }
 
  private:
+  using Int4 = BinMapping::Int4;
+  Float4 sizes(int bin) const {
+    Int4 v;
+    std::memcpy(&v, sizes_[bin], sizeof v);
+    return __builtin_convertvector(v, Float4);
+  }
+  static Float4 extent(FlippedBox box) {
+    return __builtin_shufflevector(box.v, box.v, 0, 1, 2, 3) + __builtin_shufflevector(box.v, box.v, 4, 5, 6, 7);
+  }
+  static Float4 half_areas(FlippedBox a, FlippedBox b, FlippedBox c) {
+    const Float4 u = extent(a), v = extent(b), w = extent(c);
+    const Float4 low_uv = __builtin_shufflevector(u, v, 0, 4, 1, 5), high_uv = __builtin_shufflevector(u, v, 2, 6, 2, 6);
+    const Float4 x = __builtin_shufflevector(low_uv, w, 0, 1, 4, 4), y = __builtin_shufflevector(low_uv, w, 2, 3, 5, 5),
+                 z = __builtin_shufflevector(high_uv, w, 0, 1, 6, 6);
+    return x * (y + z) + y * z;
+  }
   int count_;
   FlippedBox boxes_[3][max_bins];
-  std::uint32_t sizes_[3][max_bins];
+  alignas(16) std::uint32_t sizes_[max_bins][4];  // lane 3 is not used
 };
 
 }  // namespace candil

@@ -106,8 +106,11 @@ class Builder {
     const std::span<PrimitiveRef> to = (is_in_scratch ? refs_ : scratch_).subspan(range.first, range.count);
     if (depth < max_heuristic_depth) {
       const BinMapping mapping(range.centers, range.count);
-      const BinSplit best = fill_bins(from, mapping).best_split(mapping);
+      Bins bins(mapping.count);
+      fill(bins, from, mapping);
+      BinSplit best = bins.best_split(mapping);
       if (best.cost < infinity) {
+        bins.measure(best);
         Halves halves{{range.first, best.left_count, best.left, {}},
                       {range.first + best.left_count, range.count - best.left_count, best.right, {}}};
         const auto is_left = [&](const PrimitiveRef& ref) { return mapping(ref, best.axis) < best.bin; };
@@ -128,13 +131,12 @@ class Builder {
     return range;
   }
 
-  static Bins fill_bins(std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
-    Bins bins(mapping.count);
+  static void fill(Bins& bins, std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
     if (refs.size() < parallel_split_size) {
       bins.add(refs, mapping);
-      return bins;
+      return;
     }
-    return tbb::parallel_reduce(
+    bins = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, refs.size(), chunk_size), bins,
         [&](const auto& part, Bins sum) {
           sum.add(refs.subspan(part.begin(), part.size()), mapping);
