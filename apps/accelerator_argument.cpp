@@ -18,7 +18,24 @@ std::size_t parse_word(const std::string& option, std::string_view value, const 
   return static_cast<std::size_t>(found - words.begin());
 }
 
+/// The keys that a kind knows.
+std::vector<std::string> keys_of(AcceleratorKind kind) {
+  switch (kind) {
+    case AcceleratorKind::embree:
+      return {"quality", "robust", "compact", "isa", "frequency"};
+    case AcceleratorKind::sah:
+      return {"quality"};
+    case AcceleratorKind::report:
+    case AcceleratorKind::brute:
+      break;
+  }
+  return {};
+}
+
 void set_option(AcceleratorOptions& options, const std::string& option, std::string_view key, std::string_view value) {
+  const std::vector<std::string> keys = keys_of(options.kind);
+  if (keys.empty()) throw UsageError(fmt::format("{}: {} has no options", option, accelerator_name(options.kind)));
+  if (std::ranges::find(keys, key) == keys.end()) fail_choice(option, key, keys);
   const std::string name = fmt::format("{}: {}", option, key);
   if (key == "quality") {
     constexpr std::array qualities = {BuildQuality::low, BuildQuality::medium, BuildQuality::high};
@@ -30,11 +47,9 @@ void set_option(AcceleratorOptions& options, const std::string& option, std::str
   } else if (key == "isa") {
     parse_word(name, value, {"sse2", "sse4.2", "avx", "avx2", "avx512"});
     options.isa = value;
-  } else if (key == "frequency") {
+  } else {
     parse_word(name, value, {"simd128", "simd256", "simd512"});
     options.frequency_level = value;
-  } else {
-    fail_choice(option, key, {"quality", "robust", "compact", "isa", "frequency"});
   }
 }
 
@@ -44,10 +59,12 @@ AcceleratorOptions parse_accelerator(std::string_view option, std::string_view t
   const std::string place(option);
   const auto [name, parameters] = split_parameters(text);
   const std::optional<AcceleratorKind> kind = accelerator_from_name(name);
-  if (!kind) fail_choice(place, name, {"embree"});
+  if (!kind) fail_choice(place, name, accelerator_names());
   AcceleratorOptions options;
   options.kind = *kind;
-  for (const auto& [key, value] : parameters) set_option(options, place, key, value);
+  for (const auto& [key, value] : parameters) {
+    set_option(options, place, key, value);
+  }
   return options;
 }
 

@@ -24,10 +24,10 @@ function(candil_compile_options target)
   endif()
 endfunction()
 
-# candil_library(NAME [PUBLIC target...] [PRIVATE target...]): the static library candil_NAME, alias candil::NAME, of all
-# .cpp files of the calling folder. PUBLIC targets appear in its headers.
+# candil_library(NAME [PUBLIC target...] [PRIVATE target...] [FOLDERS folder...]): the static library candil_NAME, alias
+# candil::NAME, of all .cpp files of the calling folder and of the named ones in it. PUBLIC targets appear in its headers.
 function(candil_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE;FOLDERS")
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   file(GLOB headers CONFIGURE_DEPENDS *.h)
   set(target candil_${name})
@@ -41,4 +41,10 @@ function(candil_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT candilTargets)
   install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/candil/${name}")
+  foreach(folder IN LISTS arg_FOLDERS)
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h)
+    target_sources(${target} PRIVATE ${sources} ${headers})
+    install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/candil/${name}/${folder}")
+  endforeach()
 endfunction()

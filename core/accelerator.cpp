@@ -1,18 +1,42 @@
 #include "core/accelerator.h"
 
+#include <algorithm>
+#include <array>
+
+#include "core/bvh/brute.h"
+#include "core/bvh/report.h"
+#include "core/bvh/sah.h"
+#include "core/bvh/two_level.h"
 #include "core/embree_accelerator.h"
 
 namespace candil {
+namespace {
+
+/// In the order of AcceleratorKind.
+constexpr std::array names = {"embree", "report", "sah", "brute"};
+
+}  // namespace
+
+std::vector<std::string> accelerator_names() { return {names.begin(), names.end()}; }
+
+std::string accelerator_name(AcceleratorKind kind) { return names[static_cast<std::size_t>(kind)]; }
 
 std::optional<AcceleratorKind> accelerator_from_name(std::string_view name) {
-  if (name == "embree") return AcceleratorKind::embree;
-  return std::nullopt;
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<AcceleratorKind>(found - names.begin());
 }
 
 std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filter, const AcceleratorOptions& options) {
   switch (options.kind) {
     case AcceleratorKind::embree:
       break;
+    case AcceleratorKind::report:
+      return std::make_unique<TwoLevelAccelerator<ReportTriangles, ReportBoxes>>(scene, filter, options.quality);
+    case AcceleratorKind::sah:
+      return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options.quality);
+    case AcceleratorKind::brute:
+      return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options.quality);
   }
   return make_embree_accelerator(scene, filter, options);
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/ray.h"
 #include "core/scene.h"
@@ -37,9 +38,17 @@ class Accelerator {
   virtual std::size_t memory_bytes() const = 0;
 };
 
-enum class AcceleratorKind : std::uint8_t { embree };
+enum class AcceleratorKind : std::uint8_t {
+  embree,  ///< Intel's library.
+  report,  ///< core/bvh/report.h: that of the report, slow on purpose.
+  sah,     ///< core/bvh/sah.h: a binary hierarchy, as textbooks have it.
+  brute,   ///< core/bvh/brute.h: no hierarchy, the oracle.
+};
 
-/// "embree"; nothing for any other name.
+/// The names of all kinds, in their order.
+std::vector<std::string> accelerator_names();
+std::string accelerator_name(AcceleratorKind kind);
+/// Nothing for a name that is not among them.
 std::optional<AcceleratorKind> accelerator_from_name(std::string_view name);
 
 /// What a build may cost for what it saves later.
@@ -47,9 +56,9 @@ enum class BuildQuality : std::uint8_t { low, medium, high };
 
 struct AcceleratorOptions {
   AcceleratorKind kind = AcceleratorKind::embree;
-  BuildQuality quality = BuildQuality::medium;
-  bool is_robust = true;        ///< Embree: no ray slips between two triangles of a closed mesh.
-  bool is_compact = false;      ///< Embree: less memory, slower rays.
+  BuildQuality quality = BuildQuality::medium;  ///< Of those that have a choice.
+  bool is_robust = true;                        ///< Embree: no ray slips between two triangles of a closed mesh.
+  bool is_compact = false;                      ///< Embree: less memory, slower rays.
   std::string isa;              ///< Embree: the instruction set, as its documentation names them; empty: the best.
   std::string frequency_level;  ///< Embree: the widest vectors, "simd128" to "simd512"; empty: its own choice.
 };
