@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/bench_arguments.h"
 #include "apps/render_arguments.h"
 #include "apps/tonemap_arguments.h"
 #include "apps/usage_error.h"
@@ -22,6 +23,7 @@ Examples:
   candil model.glb -o picture.png --spp 256 --size 1920x1080
   candil info model.glb
   candil tonemap picture.exr -o picture.png --operator agx
+  candil bench model.glb --accel embree --accel embree:quality=high
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -42,7 +44,7 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "tonemap", "info", "-h", "--help", "--version"};
+  constexpr std::string_view known[] = {"render", "tonemap", "info", "bench", "-h", "--help", "--version"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
@@ -72,6 +74,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   InfoOptions info_options;
   CLI::App* const info = app.add_subcommand("info", "Tell what is in a scene");
   add_info_arguments(*info, info_options);
+  BenchOptions bench_options;
+  CLI::App* const bench = app.add_subcommand("bench", "Compare accelerators on the rays of a render");
+  add_bench_arguments(*bench, bench_options);
 
   try {
     app.parse(with_command(argc, argv));
@@ -86,6 +91,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   if (tonemap->parsed()) return tonemap_options;
   if (info->parsed()) return info_options;
+  if (bench->parsed()) {
+    complete_bench_arguments(bench_options);
+    return bench_options;
+  }
   for (const CLI::Option* option : render->get_options())
     if (option->count() > 0) render_options.given.insert(option->get_name());
   check_render_arguments(render_options);

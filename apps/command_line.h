@@ -13,7 +13,7 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RenderOptions, TonemapOptions, InfoOptions, PrintText>;
+using Command = std::variant<RenderOptions, TonemapOptions, InfoOptions, BenchOptions, PrintText>;
 
 /// `render` may be left out. Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -45,4 +45,24 @@ struct InfoOptions {
   bool is_json = false;
 };
 
+/// `candil bench`.
+struct BenchOptions {
+  struct Accelerator {
+    std::string name;  ///< As typed.
+    AcceleratorOptions options;
+  };
+
+  std::vector<std::filesystem::path> scenes;
+  std::vector<Accelerator> accelerators;  ///< At least one; the others are compared with it.
+  std::vector<int> threads;               ///< Empty: one, and all that the machine has.
+  ImageSize size{512, 512};
+  std::uint32_t samples_per_pixel = 4;
+  int repetitions = 5;
+  std::size_t recording_bytes = std::size_t{256} << 20;
+  double longest_replay_seconds = 2;
+  std::filesystem::path json;  ///< Empty: none; "-": standard output, instead of the tables.
+  std::filesystem::path plot;  ///< .svg or .png; empty: none.
+  bool is_quiet = false;
+};
+
 }  // namespace candil

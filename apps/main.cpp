@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 
+#include "apps/bench_command.h"
 #include "apps/command_line.h"
 #include "apps/exit_code.h"
 #include "apps/info_command.h"
@@ -19,6 +20,7 @@ namespace {
 int run(const RenderOptions& options) { return run_render(options); }
 int run(const TonemapOptions& options) { return run_tonemap(options); }
 int run(const InfoOptions& options) { return run_info(options); }
+int run(const BenchOptions& options) { return run_bench(options); }
 int run(const PrintText& print) {
   std::fputs(print.text.c_str(), stdout);
   return exit_done;

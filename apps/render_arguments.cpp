@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <functional>
 #include <thread>
 
 #include "apps/accelerator_argument.h"
 #include "apps/aov_arguments.h"
+#include "apps/arguments.h"
 #include "apps/display_arguments.h"
 #include "apps/usage_error.h"
 
@@ -28,32 +28,6 @@ Examples:
 Ctrl-C writes what is there; pressed again, it ends the program at once.)";
 
 constexpr double farthest = 1e9;  // metres, as in scene files
-
-/// Adds options whose words are turned into values by our own functions: the messages are the same with every version
-/// of CLI11, and nothing like NaN slips through.
-class Arguments {
- public:
-  using Setter = std::function<void(const std::string& option, const std::string& text)>;
-
-  explicit Arguments(CLI::App& app) : app_(app) {}
-
-  void group(const std::string& name) { group_ = name; }
-
-  /// Given twice, the last one counts: a script's defaults can be overridden by appending.
-  CLI::Option* add(const std::string& name, const std::string& value, const std::string& help, const Setter& set) {
-    const auto call = [name, set](const std::string& text) { set(name, text); };
-    CLI::Option* const option = app_.add_option_function<std::string>(name, call, help);
-    return option->type_name(value)->group(group_)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  }
-
-  void add_flag(const std::string& name, const std::string& help, bool& target) {
-    app_.add_flag(name, target, help)->group(group_);
-  }
-
- private:
-  CLI::App& app_;
-  std::string group_;
-};
 
 float parse_radians(const std::string& option, const std::string& text, double low, double high) {
   return glm::radians(static_cast<float>(parse_real(option, text, low, high)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #if CANDIL_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -104,33 +105,34 @@ std::optional<BareEmbree> BareEmbree::make(const Scene& scene) {
   return bare;
 }
 
-std::uint64_t BareEmbree::shoot(std::span<const Ray> rays, const std::vector<bool>& is_shadow,
-                                std::size_t first) const {
+std::uint64_t BareEmbree::shoot(std::span<const Ray> rays, RayKind kind) const {
 #if CANDIL_EMBREE_MAJOR < 4
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
 #endif
   std::uint64_t found = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (is_shadow[first + i]) {
-      RTCRay query = make_query(rays[i]);
+  if (kind == RayKind::shadow) {
+    for (const Ray& ray : rays) {
+      RTCRay query = make_query(ray);
 #if CANDIL_EMBREE_MAJOR >= 4
       rtcOccluded1(handles_->top, &query);
 #else
       rtcOccluded1(handles_->top, &context, &query);
 #endif
       found += query.tfar < 0;
-    } else {
-      RTCRayHit query;
-      query.ray = make_query(rays[i]);
-      query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if CANDIL_EMBREE_MAJOR >= 4
-      rtcIntersect1(handles_->top, &query);
-#else
-      rtcIntersect1(handles_->top, &context, &query);
-#endif
-      found += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
+    return found;
+  }
+  for (const Ray& ray : rays) {
+    RTCRayHit query;
+    query.ray = make_query(ray);
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if CANDIL_EMBREE_MAJOR >= 4
+    rtcIntersect1(handles_->top, &query);
+#else
+    rtcIntersect1(handles_->top, &context, &query);
+#endif
+    found += query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
   }
   return found;
 }

@@ -5,10 +5,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "core/ray.h"
-#include "core/scene.h"
+#include "bench/recording.h"
 
 namespace candil {
 
@@ -19,8 +17,8 @@ class BareEmbree {
   /// Nothing for a scene with shapes or transparency by alpha.
   static std::optional<BareEmbree> make(const Scene& scene);
 
-  /// Shoots the rays as they are, by rtcIntersect1 or, where `is_shadow`, by rtcOccluded1. Returns how many hit.
-  std::uint64_t shoot(std::span<const Ray> rays, const std::vector<bool>& is_shadow, std::size_t first) const;
+  /// Shoots the rays as they are by rtcIntersect1 or, shadow rays, by rtcOccluded1. Returns how many hit.
+  std::uint64_t shoot(std::span<const Ray> rays, RayKind kind) const;
 
  private:
   struct Handles;

@@ -70,7 +70,10 @@ float Distribution2D::pdf(Vec2 point) const {
          static_cast<float>(width_);
 }
 
-AliasTable::AliasTable(std::span<const float> weights) : cells_(weights.size()) {
+AliasTable::AliasTable(std::span<const float> weights)
+    : cells_(weights.size()),
+      count_(static_cast<double>(weights.size())),
+      last_(static_cast<std::int64_t>(weights.size()) - 1) {
   const auto count = static_cast<double>(weights.size());
   double sum = 0;
   for (const float w : weights) sum += w;

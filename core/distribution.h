@@ -47,8 +47,8 @@ class AliasTable {
   /// u in [0, 1); its digits choose the cell first and then decide within it, so that a large table wants many. Not to
   /// be called on an empty table.
   Sample sample(double u) const {
-    const double position = u * static_cast<double>(cells_.size());
-    const auto index = std::min(static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(cells_.size() - 1));
+    const double position = u * count_;
+    const auto index = static_cast<std::uint32_t>(std::min(static_cast<std::int64_t>(position), last_));
     const Cell& cell = cells_[index];
     const std::uint32_t chosen = position - index < cell.threshold ? index : cell.alias;
     return {chosen, cells_[chosen].probability};
@@ -62,6 +62,8 @@ class AliasTable {
     float probability;
   };
   std::vector<Cell> cells_;
+  double count_ = 0;        // of cells_
+  std::int64_t last_ = -1;  // of their indices
 };
 
 }  // namespace candil

@@ -80,18 +80,24 @@ class Sampler {
 
   /// sample_2d() of four dimensions in a row, to the bit, for little more than the price of one.
   FourPoints sample_four_2d(std::uint32_t first_dimension) const {
-    // Lanes 0 to 3 become the x of the four points, 4 to 7 the y.
-    const Lanes offset = {0, 1, 2, 3, 0, 1, 2, 3};
-    const Lanes is_y = {0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U};
-    const Lanes scramble = {x_scramble, x_scramble, x_scramble, x_scramble,
-                            y_scramble, y_scramble, y_scramble, y_scramble};
-    const Lanes seed = hash_combine(pixel_seed_ + Lanes{}, first_dimension + offset);
-    const Lanes index = reverse_bits(laine_karras_permutation(reversed_index_ + Lanes{}, seed));
-    const Lanes sobol = (index & ~is_y) | (sobol_second_dimension_reversed(index) & is_y);
-    const Lanes point = reverse_bits(laine_karras_permutation(sobol, seed * scramble));
-    using SignedLanes = std::int32_t __attribute__((vector_size(32)));
-    // Conversion from signed integers is one instruction; 24 bits have no sign.
-    return {__builtin_convertvector(reinterpret_cast<SignedLanes>(point >> 8), FloatLanes) * 0x1p-24f};
+    return sample_four_2d({*this, *this}, {first_dimension, first_dimension})[0];
+  }
+
+  /// The same for two samplers, for little more than the price of one.
+  static std::array<FourPoints, 2> sample_four_2d(const std::array<Sampler, 2>& samplers,
+                                                  const std::array<std::uint32_t, 2>& first_dimensions) {
+    const auto& [a, b] = samplers;
+    const auto both = [](std::uint32_t first, std::uint32_t second) {
+      return Lanes{first, first, first, first, second, second, second, second};
+    };
+    const Lanes dimension = both(first_dimensions[0], first_dimensions[1]) + Lanes{0, 1, 2, 3, 0, 1, 2, 3};
+    const Lanes seed = hash_combine(both(a.pixel_seed_, b.pixel_seed_), dimension);
+    const Lanes index = reverse_bits(laine_karras_permutation(both(a.reversed_index_, b.reversed_index_), seed));
+    const FloatLanes x = to_unit_floats(reverse_bits(laine_karras_permutation(index, seed * x_scramble)));
+    const FloatLanes y = to_unit_floats(
+        reverse_bits(laine_karras_permutation(sobol_second_dimension_reversed(index), seed * y_scramble)));
+    return {FourPoints{__builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11)},
+            FourPoints{__builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15)}};
   }
 
  private:
@@ -101,6 +107,11 @@ class Sampler {
   static std::uint32_t pixel_seed(glm::uvec2 pixel, std::uint64_t seed) {
     const auto low = static_cast<std::uint32_t>(seed), high = static_cast<std::uint32_t>(seed >> 32);
     return hash_combine(hash_combine(hash_combine(hash(low), high), pixel.x), pixel.y);
+  }
+  /// to_unit_float() of eight. Conversion from signed integers is one instruction; 24 bits have no sign.
+  static FloatLanes to_unit_floats(Lanes bits) {
+    using SignedLanes = std::int32_t __attribute__((vector_size(32)));
+    return __builtin_convertvector(reinterpret_cast<SignedLanes>(bits >> 8), FloatLanes) * 0x1p-24f;
   }
   std::uint32_t shuffled_index(std::uint32_t dimension_seed) const {
     return reverse_bits(laine_karras_permutation(reversed_index_, dimension_seed));

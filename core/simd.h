@@ -15,6 +15,7 @@ inline Float4 splat(float x) { return Float4{x, x, x, x}; }
 inline Float4 absolute(Float4 v) { return v < 0 ? -v : v; }
 inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
 inline float max_component(Float4 v) { return glm::max(glm::max(v[0], v[1]), v[2]); }
+inline float min_component(Float4 v) { return glm::min(glm::min(v[0], v[1]), v[2]); }
 inline float dot(Float4 a, Float4 b) {
   const Float4 product = a * b;
   return product[0] + product[1] + product[2];
@@ -30,5 +31,12 @@ struct Float4x3 {
   Float4x3(Float4 column_x, Float4 column_y, Float4 column_z) : x(column_x), y(column_y), z(column_z) {}
   Float4 operator*(Float4 v) const { return x * v[0] + y * v[1] + z * v[2]; }
 };
+
+/// The matrix whose rows are the three vectors: lane i of each column is of the i-th; lane 3 repeats lane 2.
+inline Float4x3 from_rows(Float4 a, Float4 b, Float4 c) {
+  const Float4 xy = __builtin_shufflevector(a, b, 0, 4, 1, 5), z = __builtin_shufflevector(a, b, 2, 6, 2, 6);
+  return {__builtin_shufflevector(xy, c, 0, 1, 4, 4), __builtin_shufflevector(xy, c, 2, 3, 5, 5),
+          __builtin_shufflevector(z, c, 0, 1, 6, 6)};
+}
 
 }  // namespace candil

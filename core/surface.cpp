@@ -19,16 +19,22 @@ Float4 interpolate(const Float4 (&values)[3], Vec3 weights) {
   return weights.x * values[0] + weights.y * values[1] + weights.z * values[2];
 }
 
-Float4 normalize_or(Float4 v, Float4 otherwise) {
+/// 1 / length; 0 where that or its square is not finite.
+float inverse_length(Float4 v) {
   const float squared = dot(v, v);
-  return squared > 0 && squared < infinity ? v * (1 / glm::sqrt(squared)) : otherwise;
+  return squared > 0 && squared < infinity ? 1 / glm::sqrt(squared) : 0;
+}
+
+Float4 normalize_or(Float4 v, Float4 otherwise) {
+  const float factor = inverse_length(v);
+  return factor > 0 ? v * factor : otherwise;
 }
 
 /// A position and its normals with what is needed to tell the error of the position.
 struct Place {
   Float4 position, normal_geometric, normal;
-  Float4 lift{};     // from the triangle to the surface that the normals stand for
   Float4 magnitude;  // of each coordinate that took part, or more
+  float bulge = 0;   // of the surface that the normals stand for, times the length of normal_geometric
   bool is_smooth = false;
 };
 
@@ -36,13 +42,13 @@ struct Place {
 void carry_to_world(const Affine& transform, Place& place) {
   const Float4x3 m(transform.linear);
   const Float4 yz = cross(m.y, m.z), translation = to_lanes(transform.translation);
-  const float side = dot(m.x, yz) < 0 ? -1.0f : 1.0f;
+  const float determinant = dot(m.x, yz), side = determinant < 0 ? -1.0f : 1.0f;
   const Float4x3 normals(side * yz, side * cross(m.z, m.x), side * cross(m.x, m.y));
   const Float4 row_sums = absolute(m.x) + absolute(m.y) + absolute(m.z);
   place.position = m * place.position + translation;
   place.normal_geometric = normals * place.normal_geometric;
   place.normal = normals * place.normal;
-  place.lift = m * place.lift;
+  place.bulge *= side * determinant;  // (M lift) . (M^-T normal |det|)
   place.magnitude = row_sums * max_component(place.magnitude) + absolute(translation);
 }
 
@@ -50,25 +56,22 @@ struct Corners {
   Float4 positions[3], normals[3];
 };
 
-/// Whether the normals of the vertices, unit vectors, are at most 53 degrees off the triangle's.
-bool is_smooth_surface(const Corners& corners, Float4 normal_geometric) {
+/// Decides whether the normals stand for a smooth surface: if all of them, unit vectors, are at most 53 degrees off the
+/// triangle's. Its bulge goes from a point of the triangle towards the interpolation of its images on the tangent
+/// planes of the vertices (Hanika 2021), but half the way: a surface of second order is exactly in the middle between
+/// its chord and these planes.
+void find_bulge(const Corners& corners, Vec3 weights, Place& place) {
   constexpr float least_cosine_squared = 0.36f;
-  const float least = least_cosine_squared * dot(normal_geometric, normal_geometric);
-  for (const Float4 normal : corners.normals) {
-    const float cosine = dot(normal, normal_geometric);  // times the length that is squared in `least`
-    if (!(cosine > 0 && cosine * cosine >= least)) return false;
-  }
-  return true;
-}
-
-/// From a point of a triangle towards the interpolation of its images on the tangent planes of the vertices (Hanika
-/// 2021), but half the way: a surface of second order is exactly in the middle between its chord and these planes.
-Float4 lift_to_smooth_surface(Float4 position, const Corners& corners, Vec3 weights) {
-  Float4 lift{};
-  for (int i = 0; i < 3; ++i) {
-    lift -= (0.5f * weights[i] * dot(position - corners.positions[i], corners.normals[i])) * corners.normals[i];
-  }
-  return lift;
+  // One corner in each lane.
+  const Float4x3 positions = from_rows(corners.positions[0], corners.positions[1], corners.positions[2]);
+  const Float4x3 normals = from_rows(corners.normals[0], corners.normals[1], corners.normals[2]);
+  const Float4 cosines = normals * place.normal_geometric;  // times the length that is squared in `least`
+  const float least = least_cosine_squared * dot(place.normal_geometric, place.normal_geometric);
+  if (!(min_component(cosines * absolute(cosines)) > least)) return;
+  place.is_smooth = true;
+  const Float4 heights = (place.position[0] - positions.x) * normals.x + (place.position[1] - positions.y) * normals.y +
+                         (place.position[2] - positions.z) * normals.z;
+  place.bulge = -0.5f * dot(heights * cosines, to_lanes(weights));
 }
 
 Vec4 interpolate_tangent(const Mesh& mesh, const Triangle& triangle, Vec3 weights, const Instance& instance) {
@@ -95,8 +98,7 @@ SurfacePoint triangle_surface_point(const Scene& scene, const Hit& hit) {
   if (!mesh.normals.empty()) {
     for (int i = 0; i < 3; ++i) corners.normals[i] = to_lanes(mesh.normals[triangle[i]]);
     place.normal = interpolate(corners.normals, weights);
-    place.is_smooth = !material.is_transmissive() && is_smooth_surface(corners, place.normal_geometric);
-    if (place.is_smooth) place.lift = lift_to_smooth_surface(place.position, corners, weights);
+    if (!material.is_transmissive()) find_bulge(corners, weights, place);
   }
   place.magnitude = maximum(absolute(a), maximum(absolute(b), absolute(c)));
   if (!instance.is_world_space) carry_to_world(instance.to_world, place);
@@ -107,13 +109,14 @@ SurfacePoint triangle_surface_point(const Scene& scene, const Hit& hit) {
   point.triangle = hit.triangle;
   point.material = mesh.material;
   point.position = to_vec3(place.position);
-  const Float4 normal_geometric = normalize_or(place.normal_geometric, Float4{0, 1, 0, 0});
+  const float per_length = inverse_length(place.normal_geometric);
+  const Float4 normal_geometric = per_length > 0 ? place.normal_geometric * per_length : Float4{0, 1, 0, 0};
   const Float4 normal = normalize_or(place.normal, normal_geometric);
   point.normal_geometric = to_vec3(normal_geometric);
   // The winding decides which side is the front (glTF 2.0, section 3.7.4); a normal that disagrees is turned round.
   point.normal = to_vec3(dot(normal, normal_geometric) < 0 ? -normal : normal);
   point.is_smooth = place.is_smooth;
-  point.bulge = dot(place.lift, normal_geometric);
+  point.bulge = per_length > 0 ? place.bulge * per_length : 0;
   point.offset = surface_offset(max_component(place.magnitude));
   if (!mesh.tangents.empty()) point.tangent = interpolate_tangent(mesh, triangle, weights, instance);
   const bool is_textured = material.is_textured();

@@ -16,16 +16,16 @@ namespace {
 /// More hide no more latency, and leave the first-level cache.
 constexpr std::size_t batch_size = 16;
 
-/// Weight of a strategy with density `pdf` beside one with density `other` (power heuristic, beta = 2).
-float mis_weight(float pdf, float other) {
+/// One over the weight of a strategy with density `pdf` beside one with density `other` (power heuristic, beta = 2).
+float inverse_mis_weight(float pdf, float other) {
   // Divided first: the squares of large densities overflow.
   const float ratio = other / pdf;
-  return 1 / (1 + ratio * ratio);
+  return 1 + ratio * ratio;
 }
 
 /// Weight of light that the closure's own sample ran into.
 float weight_of_found_light(const PathState& state, float light_pdf) {
-  return state.is_specular ? 1.0f : mis_weight(state.bsdf_pdf, light_pdf);
+  return state.is_specular ? 1.0f : 1 / inverse_mis_weight(state.bsdf_pdf, light_pdf);
 }
 
 /// A path, and what one stage leaves to the next.
@@ -65,10 +65,7 @@ class Batch {
       const LaneList hits = intersect(active, results);
       LaneList shadows;
       active = {};
-      for (std::size_t k = 0; k < hits.count; ++k) {
-        const std::uint8_t i = hits.ids[k];
-        numbers_[k] = VertexSamples(samples_[i].sampler, lanes_[i].state.bounce);
-      }
+      draw_numbers(hits);
       for (std::size_t k = 0; k < hits.count; ++k) {
         // In place: a copy would wait for the stores.
         ::new (&points_[k]) SurfacePoint(make_surface_point(scene_, hits_[k]));
@@ -124,6 +121,15 @@ class Batch {
     for_hits((count - 1) / group_size * group_size, prefetch_surface_point);
   }
 
+  void draw_numbers(const LaneList& hits) {
+    for (std::size_t k = 0; k < hits.count; k += 2) {
+      const std::uint8_t i = hits.ids[k], j = hits.ids[std::min(k + 1, hits.count - 1)];
+      const auto both = VertexSamples::of_two({samples_[i].sampler, samples_[j].sampler},
+                                              {lanes_[i].state.bounce, lanes_[j].state.bounce});
+      numbers_[k] = both[0], numbers_[k + 1] = both[1];
+    }
+  }
+
   /// Collects what the surface emits, chooses a light, and turns the path to its next direction; false when it ends.
   bool shade(std::uint8_t i, float distance, SurfacePoint& point, const VertexSamples& u, LaneList& shadows) {
     Lane& lane = lanes_[i];
@@ -151,8 +157,8 @@ class Batch {
     if (!light || is_black(light->radiance)) return false;
     const BsdfEval scattered = bsdf.eval(wo, light->wi);
     if (is_black(scattered.f_cos)) return false;
-    const float weight = light->is_delta ? 1.0f : mis_weight(light->pdf, scattered.pdf);
-    Vec3 radiance = scattered.f_cos * light->radiance * (weight / light->pdf);
+    const float inverse_weight = light->is_delta ? 1.0f : inverse_mis_weight(light->pdf, scattered.pdf);
+    Vec3 radiance = scattered.f_cos * light->radiance * (1 / (light->pdf * inverse_weight));
     const std::uint32_t crossed = medium_beyond(scene_, point, wo, light->wi, lane.state.medium);
     if (crossed != invalid_id) radiance *= volume_transmittance(scene_, crossed, light->shadow_ray.t_max);
     lane.shadow_ray = light->shadow_ray;

@@ -25,7 +25,13 @@ class VertexSamples {
  public:
   VertexSamples() = default;
   VertexSamples(const Sampler& sampler, std::uint32_t bounce)
-      : points_(sampler.sample_four_2d(dimension::first_vertex + bounce * dimension::per_vertex)) {}
+      : points_(sampler.sample_four_2d(first_dimension(bounce))) {}
+  /// Those of two paths at once: cheaper than one after the other.
+  static std::array<VertexSamples, 2> of_two(const std::array<Sampler, 2>& samplers,
+                                             const std::array<std::uint32_t, 2>& bounces) {
+    const auto [a, b] = Sampler::sample_four_2d(samplers, {first_dimension(bounces[0]), first_dimension(bounces[1])});
+    return {VertexSamples(a), VertexSamples(b)};
+  }
 
   /// Point on the light.
   Vec2 light() const { return points_[0]; }
@@ -40,6 +46,11 @@ class VertexSamples {
   float roulette() const { return points_[3].x; }
 
  private:
+  explicit VertexSamples(const FourPoints& points) : points_(points) {}
+  static std::uint32_t first_dimension(std::uint32_t bounce) {
+    return dimension::first_vertex + bounce * dimension::per_vertex;
+  }
+
   FourPoints points_;  // as they come: taken apart where they are used
 };
 
@@ -55,12 +66,35 @@ std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 
 Vec3 background(const RenderContext& context, const PathState& state);
 
 /// Samples the closure and turns the state's ray into its direction; false when the path ends here.
-bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, const Bsdf& bsdf, float u_lobe,
-             Vec2 u_direction);
+inline bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, const Bsdf& bsdf, float u_lobe,
+                    Vec2 u_direction) {
+  const Vec3 wo = -state.ray.direction;
+  const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, u_direction);
+  if (!sample || is_black(sample->weight)) return false;
+  state.throughput *= sample->weight;
+  state.eta_scale *= sqr(sample->eta);
+  state.bsdf_pdf = sample->pdf;
+  state.is_specular = sample->is_delta;
+  state.sees_backdrop = state.sees_backdrop && sample->is_delta && sample->is_transmission;
+  state.from = point.position;
+  state.medium = medium_beyond(scene, point, wo, sample->wi, state.medium);
+  state.ray.origin = offset_origin(point, sample->wi);
+  state.ray.direction = sample->wi;
+  state.ray.t_max = infinity;
+  ++state.bounce;
+  return true;
+}
 
 /// Russian roulette from the fifth vertex on; false when the path ends here. Its probability follows the throughput
 /// without the 1/eta^2 of media, which comes back when the path leaves them (Pharr, Jakob and Humphreys 2023,
 /// section 14.4).
-bool survives_roulette(PathState& state, float u_roulette);
+inline bool survives_roulette(PathState& state, float u_roulette) {
+  constexpr std::uint32_t first_bounce = 5;
+  if (state.bounce < first_bounce) return true;
+  const float survival = glm::min(max_component(state.throughput) * state.eta_scale, 0.95f);
+  if (!(u_roulette < survival)) return false;
+  state.throughput /= survival;
+  return true;
+}
 
 }  // namespace candil

@@ -1,39 +1,23 @@
 #include "integrators/render.h"
 
-#include <pmmintrin.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <xmmintrin.h>
 
 #include <chrono>
 #include <mutex>
+#include <span>
 
-#include "core/camera.h"
+#include "core/denormals.h"
 #include "integrators/aov_film.h"
-#include "integrators/integrator.h"
+#include "integrators/camera_sampling.h"
 
 namespace candil {
 namespace {
 
 constexpr double progress_interval_seconds = 0.2;
-
-/// Flushes denormals to zero while it lives: Embree asks for it, and our own sums do not need them.
-class DenormalsAreZero {
- public:
-  DenormalsAreZero() : saved_(_mm_getcsr()) {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~DenormalsAreZero() { _mm_setcsr(saved_); }
-  DenormalsAreZero(const DenormalsAreZero&) = delete;
-  DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
-
- private:
-  unsigned saved_;
-};
 
 struct Block {
   std::uint32_t first_sample, samples;
@@ -47,8 +31,7 @@ class RenderJob {
             const std::function<void(const RenderProgress&)>& on_progress, const std::atomic<bool>* stop)
       : context_(context),
         settings_(settings),
-        camera_(camera, settings.width, settings.height),
-        filter_(settings.filter),
+        camera_(camera, settings),
         trace_(integrator_function(settings.integrator)),
         on_progress_(on_progress),
         stop_(stop),
@@ -106,45 +89,43 @@ class RenderJob {
         tbb::simple_partitioner());
   }
 
-  CameraSample camera_sample(Vec2 pixel, const Sampler& sampler) const {
-    const Vec2 position = pixel + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
-    const Vec2 u_lens = camera_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
-    return {camera_.ray(position, u_lens), sampler};
+  /// Gives the film the samples of a pixel's block; answers how many were not finite.
+  std::uint64_t add_pixel(int x, int y, std::span<const PathSample> samples) {
+    std::uint64_t non_finite = 0;
+    PairwiseSum<PixelSums> sum;
+    for (PathSample sample : samples) {
+      if (!is_finite(sample.radiance)) {
+        ++non_finite;
+        sample.radiance = Vec3(0);
+      }
+      sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
+    }
+    film_.block_pixel(x, y) = sum.total();
+    return non_finite;
   }
 
   void render_tile(const tbb::blocked_range2d<int>& tile, const Block& block) {
     const DenormalsAreZero denormals_are_zero;
     RayCounts rays;
     std::uint64_t non_finite = 0;
+    // A row at a time: its samples stay in the cache.
     std::vector<CameraSample> samples;
-    samples.reserve(tile.rows().size() * tile.cols().size() * block.samples);
+    std::vector<PathSample> results(tile.cols().size() * block.samples);
+    samples.reserve(results.size());
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      samples.clear();
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         const Sampler sampler({x, y}, 0, settings_.seed);
         for (std::uint32_t i = 0; i < block.samples; ++i) {
-          samples.push_back(camera_sample({x, y}, sampler.at_sample(block.first_sample + i)));
+          samples.push_back(camera_.sample({x, y}, sampler.at_sample(block.first_sample + i)));
         }
       }
-    }
-    std::vector<PathSample> results(samples.size());
-    trace_(context_, settings_, samples, results, rays);
-
-    const PathSample* next = results.data();
-    for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+      trace_(context_, settings_, samples, results, rays);
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-        PairwiseSum<PixelSums> sum;
-        for (std::uint32_t i = 0; i < block.samples; ++i) {
-          PathSample sample = *next++;
-          if (!is_finite(sample.radiance)) {
-            ++non_finite;
-            sample.radiance = Vec3(0);
-          }
-          sum.add({sample.radiance, sample.alpha, sample.radiance * sample.radiance});
-        }
-        film_.block_pixel(x, y) = sum.total();
+        const std::size_t first = static_cast<std::size_t>(x - tile.cols().begin()) * block.samples;
+        non_finite += add_pixel(x, y, std::span(results).subspan(first, block.samples));
         if (aov_film_) {
-          const std::size_t end = static_cast<std::size_t>(next - results.data());
-          const auto of_pixel = std::span(samples).subspan(end - block.samples, block.samples);
+          const auto of_pixel = std::span(samples).subspan(first, block.samples);
           aov_film_->add_pixel(x, y, of_pixel, block.first_sample == 0, rays);
         }
       }
@@ -181,8 +162,7 @@ class RenderJob {
 
   const RenderContext& context_;
   const RenderSettings& settings_;
-  const CameraRays camera_;
-  const PixelFilter filter_;
+  const CameraSampling camera_;
   const BatchIntegrator trace_;
   const std::function<void(const RenderProgress&)>& on_progress_;
   const std::atomic<bool>* stop_;

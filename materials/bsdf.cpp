@@ -1,7 +1,5 @@
 #include "materials/bsdf.h"
 
-#include "core/warp.h"
-
 namespace candil {
 namespace {
 
@@ -30,19 +28,7 @@ ShadowTerminator Bsdf::shadow_terminator() const {
   return is_flat_ ? ShadowTerminator() : ShadowTerminator(frame_.to_local(normal_of_sides_));
 }
 
-/// Both cosines positive.
-BsdfEval Bsdf::eval_lambertian(float cosine, float cosine_surface) const {
-  const float pdf = pdf_cosine_hemisphere(cosine);
-  if (is_flat_) return {diffuse_ * pdf, pdf};
-  const float cosine_of_normals = glm::dot(frame_.normal, normal_of_sides_);
-  return {diffuse_ * (pdf * ShadowTerminator::factor(cosine, cosine_surface, cosine_of_normals)), pdf};
-}
-
-BsdfEval Bsdf::eval(Vec3 wo, Vec3 wi) const {
-  if (kind_ == Kind::lambertian) {
-    const float cosine = glm::dot(wi, frame_.normal), cosine_surface = glm::dot(wi, normal_of_sides_);
-    return cosine > 0 && cosine_surface > 0 ? eval_lambertian(cosine, cosine_surface) : BsdfEval{};
-  }
+BsdfEval Bsdf::eval_layered(Vec3 wo, Vec3 wi) const {
   const Vec3 local_o = frame_.to_local(wo), local_i = frame_.to_local(wi);
   if (!sides_agree(wi, local_i.z)) return {};
   const auto eval_reflecting = [&](const auto& lobes) { return lobes.eval(local_o, local_i, shadow_terminator()); };
@@ -54,25 +40,7 @@ BsdfEval Bsdf::eval(Vec3 wo, Vec3 wi) const {
           glm::mix(reflecting.pdf, transmitting.pdf, dielectric_weight_)};
 }
 
-std::optional<BsdfSample> Bsdf::sample_lambertian(Vec2 u) const {
-  std::optional<BsdfSample> result;
-  const Vec3 local = sample_cosine_hemisphere(u);
-  const Vec3 wi = frame_.to_world(local);
-  const float cosine_surface = glm::dot(wi, normal_of_sides_);
-  if (!(local.z > 0 && cosine_surface > 0)) return result;
-  BsdfSample& sample = result.emplace();
-  sample.wi = wi;
-  sample.weight = diffuse_;
-  if (!is_flat_) {
-    const float cosine_of_normals = glm::dot(frame_.normal, normal_of_sides_);
-    sample.weight *= ShadowTerminator::factor(local.z, cosine_surface, cosine_of_normals);
-  }
-  sample.pdf = pdf_cosine_hemisphere(local.z);
-  return result;
-}
-
-std::optional<BsdfSample> Bsdf::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
-  if (kind_ == Kind::lambertian) return sample_lambertian(u_direction);
+std::optional<BsdfSample> Bsdf::sample_layered(Vec3 wo, float u_lobe, Vec2 u_direction) const {
   const Vec3 local_o = frame_.to_local(wo);
   const bool takes_dielectric = u_lobe < dielectric_weight_;
   const float probability = takes_dielectric ? dielectric_weight_ : 1 - dielectric_weight_;

@@ -10,6 +10,7 @@
 
 #include "core/frame.h"
 #include "core/surface.h"
+#include "core/warp.h"
 #include "materials/bsdf_tables.h"
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
@@ -21,9 +22,13 @@ namespace candil {
 class Bsdf {
  public:
   /// f |cos| and the density of sample(), 1/sr, over all lobes; delta lobes add nothing to either.
-  BsdfEval eval(Vec3 wo, Vec3 wi) const;
+  BsdfEval eval(Vec3 wo, Vec3 wi) const {
+    return kind_ == Kind::lambertian ? eval_lambertian(wi) : eval_layered(wo, wi);
+  }
   /// A direction; nothing when the path ends here (absorbed, or below the surface). u in [0, 1).
-  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+    return kind_ == Kind::lambertian ? sample_lambertian(u_direction) : sample_layered(wo, u_lobe, u_direction);
+  }
   /// Only delta lobes: light sampling cannot contribute.
   bool is_purely_delta() const { return kind_ == Kind::lambertian ? is_black(diffuse_) : has_only_delta_lobes(); }
   /// Reflectance and transmittance together, roughly, for feature images; in [0, 1].
@@ -42,8 +47,15 @@ class Bsdf {
   bool sides_agree(Vec3 wi, float local_z) const { return glm::dot(wi, normal_of_sides_) * local_z > 0; }
 
   bool has_only_delta_lobes() const;
-  BsdfEval eval_lambertian(float cosine, float cosine_surface) const;
+  // Most vertices of most scenes: in the header, for the loops of integrators.
+  BsdfEval eval_lambertian(Vec3 wi) const;
   std::optional<BsdfSample> sample_lambertian(Vec2 u) const;
+  /// Of a smooth surface, both cosines positive.
+  float lambertian_terminator(float cosine, float cosine_surface) const {
+    return ShadowTerminator::factor(cosine, cosine_surface, glm::dot(frame_.normal, normal_of_sides_));
+  }
+  BsdfEval eval_layered(Vec3 wo, Vec3 wi) const;
+  std::optional<BsdfSample> sample_layered(Vec3 wo, float u_lobe, Vec2 u_direction) const;
   ShadowTerminator shadow_terminator() const;
   /// Calls `function` with the lobes that reflect; to be asked only if there are any.
   template <typename Function>
@@ -68,6 +80,28 @@ class Bsdf {
   std::optional<ConductorLobes> conductor_;
   std::optional<DielectricLobes> dielectric_;
 };
+
+inline BsdfEval Bsdf::eval_lambertian(Vec3 wi) const {
+  const float cosine = glm::dot(wi, frame_.normal), cosine_surface = glm::dot(wi, normal_of_sides_);
+  if (!(cosine > 0 && cosine_surface > 0)) return {};
+  const float pdf = pdf_cosine_hemisphere(cosine);
+  if (is_flat_) return {diffuse_ * pdf, pdf};
+  return {diffuse_ * (pdf * lambertian_terminator(cosine, cosine_surface)), pdf};
+}
+
+inline std::optional<BsdfSample> Bsdf::sample_lambertian(Vec2 u) const {
+  std::optional<BsdfSample> result;
+  const Vec3 local = sample_cosine_hemisphere(u);
+  const Vec3 wi = frame_.to_world(local);
+  const float cosine_surface = glm::dot(wi, normal_of_sides_);
+  if (!(local.z > 0 && cosine_surface > 0)) return result;
+  BsdfSample& sample = result.emplace();
+  sample.wi = wi;
+  sample.weight = diffuse_;
+  if (!is_flat_) sample.weight *= lambertian_terminator(local.z, cosine_surface);
+  sample.pdf = pdf_cosine_hemisphere(local.z);
+  return result;
+}
 
 /// The closure of the material at a point, seen from `wo`.
 Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo);

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Dependencies point down only: apps -> io, integrators -> materials -> core; io and integrators do not know each other.
+# Dependencies point down only: apps -> io, bench -> integrators -> materials -> core; io and the others do not know each
+# other. The programs of bench/ may see everything.
 # Names every include that breaks this, and heavy libraries outside the layer that may see them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,18 +15,20 @@ forbid() {
   fi
 }
 
-forbid core '(materials|integrators|io|apps|tests)/' 'core/ knows no other folder'
-forbid materials '(integrators|io|apps|tests)/' 'materials/ knows only core/'
-forbid integrators '(io|apps|tests)/' 'integrators/ knows only materials/ and core/'
-forbid io '(materials|integrators|apps|tests)/' 'io/ knows only core/'
+forbid core '(materials|integrators|bench|io|apps|tests)/' 'core/ knows no other folder'
+forbid materials '(integrators|bench|io|apps|tests)/' 'materials/ knows only core/'
+forbid integrators '(bench|io|apps|tests)/' 'integrators/ knows only materials/ and core/'
+forbid bench '(io|apps|tests)/' 'bench/ knows only integrators/, materials/ and core/' --exclude-dir=programs
+forbid io '(materials|integrators|bench|apps|tests)/' 'io/ knows only core/'
 forbid apps 'tests/' 'apps/ does not know tests/'
 
-for folder in core materials integrators apps; do
+for folder in core materials integrators bench apps; do
   forbid "$folder" '(OpenImageIO/|tiny_gltf)' 'only io/ sees OpenImageIO and tinygltf'
 done
 for folder in materials integrators io apps; do
   forbid "$folder" '(embree[34]/|core/embree_)' 'only core/ sees Embree'
 done
+forbid bench '(embree[34]/|core/embree_)' 'of bench/ only bare_embree.cpp sees Embree' --exclude='bare_embree.cpp'
 forbid core 'embree[34]/' 'only core/embree_* see Embree' --exclude='embree_*'
 
 exit "$status"

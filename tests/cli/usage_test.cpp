@@ -74,6 +74,20 @@ const std::vector<WrongUsage> wrong_usages = {
     {{"square.gltf", "--aov", "depth,"}, "--aov: '' is not one of normals, "},
     {{"square.gltf", "--aov-separate"}, "--aov"},
     {{"square.gltf", "--ppm", "P3"}, "--ppm: 'P3' is not one of binary, ascii, hdr"},
+    {{"bench"}, "SCENE"},
+    {{"bench", "square.gltf", "--accel", "octree"}, "--accel: 'octree' is not one of embree"},
+    {{"bench", "square.gltf", "--accel", "embree", "--accel", "embree:isa=6502"}, "--accel: isa: '6502' is not one of"},
+    {{"bench", "square.gltf", "--threads", "1,0"}, "--threads: '0' is not a whole number from 1 to 1024"},
+    {{"bench", "square.gltf", "--threads", ""}, "--threads"},
+    {{"bench", "square.gltf", "--threads", "1,2,3,4,5,6,7,8,9"}, "--threads: more than 8 numbers"},
+    {{"bench", "square.gltf", "--repeat", "0"}, "--repeat: '0'"},
+    {{"bench", "square.gltf", "--memory", "0"}, "--memory: '0' is not a whole number from 1"},
+    {{"bench", "square.gltf", "--memory", "99999999999"}, "--memory"},
+    {{"bench", "square.gltf", "--limit", "0"}, "--limit: 0 is not between"},
+    {{"bench", "square.gltf", "--size", "0x0"}, "--size: '0x0'"},
+    {{"bench", "square.gltf", "--spp", "0"}, "--spp: '0'"},
+    {{"bench", "square.gltf", "--plot", "bench.pdf"}, "--plot: bench.pdf: unknown format; use .svg or .png"},
+    {{"bench", "square.gltf", "--exposure", "1"}, "--exposure"},
     {{"tonemap"}, "INPUT"},
     {{"tonemap", "square.gltf", "--spp", "4"}, "--spp"},
     {{"tonemap", "square.gltf", "-o", "a.gif"}, "a.gif: unknown format"},
@@ -110,8 +124,12 @@ INSTANTIATE_TEST_SUITE_P(CommandLine, Usage, testing::ValuesIn(wrong_usages));
 
 TEST(Help, IsPrintedForEveryCommandWithExamples) {
   const TemporaryFolder folder;
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"tonemap", "--help"}, {"info", "--help"}, {"-h"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"render", "--help"},
+                                                    {"tonemap", "--help"},
+                                                    {"info", "--help"},
+                                                    {"bench", "--help"},
+                                                    {"-h"}}) {
     const ProgramResult result = run_program(arguments, folder.path());
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;
@@ -128,6 +146,14 @@ TEST(Help, ListsTheOptionsOfRender) {
         "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
         "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
         "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet",        "--aov",       "--aov-separate"})
+    EXPECT_NE(result.output.find(option), std::string::npos) << option;
+}
+
+TEST(Help, ListsTheOptionsOfBench) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"bench", "--help"}, folder.path());
+  for (const char* const option : {"SCENE", "--accel", "--threads", "--spp", "--size", "--repeat", "--memory",
+                                   "--limit", "--json", "--plot", "--quiet"})
     EXPECT_NE(result.output.find(option), std::string::npos) << option;
 }
 
