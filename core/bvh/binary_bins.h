@@ -124,10 +124,7 @@ class Bins {
     return __builtin_shufflevector(box.v, box.v, 0, 1, 2, 3) + __builtin_shufflevector(box.v, box.v, 4, 5, 6, 7);
   }
   static Float4 half_areas(FlippedBox a, FlippedBox b, FlippedBox c) {
-    const Float4 u = extent(a), v = extent(b), w = extent(c);
-    const Float4 low_uv = __builtin_shufflevector(u, v, 0, 4, 1, 5), high_uv = __builtin_shufflevector(u, v, 2, 6, 2, 6);
-    const Float4 x = __builtin_shufflevector(low_uv, w, 0, 1, 4, 4), y = __builtin_shufflevector(low_uv, w, 2, 3, 5, 5),
-                 z = __builtin_shufflevector(high_uv, w, 0, 1, 6, 6);
+    const auto [x, y, z] = from_rows(extent(a), extent(b), extent(c));
     return x * (y + z) + y * z;
   }
   int count_;

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <stdexcept>
-#include <cstdlib>
 
 namespace candil {
 namespace {
@@ -17,7 +16,7 @@ Bounds triangle_bounds(const Mesh& mesh, Triangle t) {
 
 }  // namespace
 
-WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality) {
+WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality /*quality*/) {
   WideTriangles result;
   std::size_t count = 0;
   for (const MeshPart& part : parts) {
@@ -36,9 +35,8 @@ WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality
       }
     });
   }
-  WideCosts costs; if (getenv("LC")) costs.leaf = atof(getenv("LC")); if (getenv("ML")) costs.max_leaf_size = atoi(getenv("ML"));
-  WideTree tree = build_wide_tree({refs.data(), refs.size()}, costs, getenv("LS") ? atoi(getenv("LS")) : 2);
-  result.blocks_ = LargeBuffer<TriangleBlock>(tree.leaves.size());
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, WideCosts{}, lane_count);
+  result.blocks_ = LargeBuffer<TriangleBlock>(std::max<std::size_t>(1, tree.leaves.size()));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.leaves.size(), 256), [&](const auto& range) {
     for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf) {
       TriangleBlock& block = result.blocks_[leaf];

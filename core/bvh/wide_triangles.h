@@ -8,8 +8,8 @@
 #include "core/accelerator.h"
 #include "core/bvh/mesh_part.h"
 #include "core/bvh/triangle_block.h"
-#include "core/bvh/wide_traverse.h"
 #include "core/bvh/wide_build.h"
+#include "core/bvh/wide_traverse.h"
 
 namespace candil {
 
@@ -19,7 +19,7 @@ class WideTriangles {
 
   template <typename Accept>
   void intersect(const Ray& ray, TriangleHit& nearest, const Accept& accept) const {
-    const WideRay wide_ray(ray.origin, ray.direction, bounds_);
+    const WideRay wide_ray(ray, bounds_);
     const BlockRay block_ray(ray);
     std::uint32_t found = invalid_id;
     visit_nearest_first(nodes_.data(), wide_ray, nearest.t, [&](std::uint32_t leaf, float& t_max) {
@@ -44,7 +44,7 @@ class WideTriangles {
 
   template <typename Accept>
   bool occluded(const Ray& ray, float t_max, const Accept& accept) const {
-    const WideRay wide_ray(ray.origin, ray.direction, bounds_);
+    const WideRay wide_ray(ray, bounds_);
     const BlockRay block_ray(ray);
     return visit_until(nodes_.data(), wide_ray, t_max, [&](std::uint32_t leaf) {
       const TriangleBlock& block = blocks_[leaf];
