@@ -24,6 +24,7 @@ std::vector<std::string> keys_of(AcceleratorKind kind) {
     case AcceleratorKind::embree:
       return {"quality", "robust", "compact", "isa", "frequency"};
     case AcceleratorKind::sah:
+    case AcceleratorKind::wide:
       return {"quality"};
     case AcceleratorKind::report:
     case AcceleratorKind::brute:

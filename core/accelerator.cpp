@@ -7,13 +7,15 @@
 #include "core/bvh/report.h"
 #include "core/bvh/sah.h"
 #include "core/bvh/two_level.h"
+#include "core/bvh/wide_boxes.h"
+#include "core/bvh/wide_triangles.h"
 #include "core/embree_accelerator.h"
 
 namespace candil {
 namespace {
 
 /// In the order of AcceleratorKind.
-constexpr std::array names = {"embree", "report", "sah", "brute"};
+constexpr std::array names = {"embree", "report", "sah", "wide", "brute"};
 
 }  // namespace
 
@@ -35,6 +37,8 @@ std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filt
       return std::make_unique<TwoLevelAccelerator<ReportTriangles, ReportBoxes>>(scene, filter, options.quality);
     case AcceleratorKind::sah:
       return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options.quality);
+    case AcceleratorKind::wide:
+      return std::make_unique<TwoLevelAccelerator<WideTriangles, WideBoxes>>(scene, filter, options.quality);
     case AcceleratorKind::brute:
       return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options.quality);
   }

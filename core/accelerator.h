@@ -42,6 +42,7 @@ enum class AcceleratorKind : std::uint8_t {
   embree,  ///< Intel's library.
   report,  ///< core/bvh/report.h: that of the report, slow on purpose.
   sah,     ///< core/bvh/sah.h: a binary hierarchy, as textbooks have it.
+  wide,    ///< core/bvh/wide_node.h: our fastest, eight children per node.
   brute,   ///< core/bvh/brute.h: no hierarchy, the oracle.
 };
 

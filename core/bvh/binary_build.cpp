@@ -1,0 +1,225 @@
+#include "core/bvh/binary_build.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+
+#include <atomic>
+#include <vector>
+
+#include "core/bvh/binary_bins.h"
+
+namespace candil {
+namespace {
+
+/// Ranges above this many primitives are binned and split by several threads, in chunks of a fixed size, so that the
+/// result does not depend on the threads; ranges above the second number become tasks.
+constexpr std::size_t parallel_split_size = 1 << 16, chunk_size = 1 << 14, task_size = 1 << 11;
+
+/// Primitives [first, first + count), with their boxes and doubled centres joined.
+struct Range {
+  std::uint32_t first, count;
+  FlippedBox box, centers;
+};
+
+struct Halves {
+  Range left, right;
+};
+
+class Builder {
+ public:
+  Builder(std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch, const WideCosts& costs,
+          std::uint32_t leaf_size)
+      : refs_(refs),
+        scratch_(scratch),
+        costs_(costs),
+        leaf_size_(leaf_size),
+        // No more than 2 n - 1 nodes are used, and every task leaves up to one unfinished chunk. What is never touched
+        // takes address space only.
+        nodes_(2 * refs.size() + (2 * refs.size() / task_size + 64) * 2 * NodeSource::chunk) {}
+
+  LargeBuffer<BinaryNode> build() {
+    const auto whole = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, refs_.size(), chunk_size), Range{0, 0, {}, {}},
+        [&](const auto& part, Range range) {
+          for (const PrimitiveRef& ref : refs_.subspan(part.begin(), part.size())) {
+            range.box.add(ref.box());
+            range.centers.add(doubled_center(ref.box()));
+          }
+          return range;
+        },
+        [](Range a, const Range& b) {
+          a.box.add(b.box), a.centers.add(b.centers);
+          return a;
+        });
+    NodeSource source;
+    build({0, static_cast<std::uint32_t>(refs_.size()), whole.box, whole.centers}, 0, 0, false, source);
+    return std::move(nodes_);
+  }
+
+ private:
+  /// Hands out pairs of nodes to one task. Node 0 is the root, node 1 is not used.
+  struct NodeSource {
+    static constexpr std::uint32_t chunk = 64;
+    std::uint32_t next = 0, end = 0;
+  };
+  std::uint32_t new_pair(NodeSource& source) {
+    if (source.next == source.end) {
+      source.next = next_chunk_.fetch_add(NodeSource::chunk, std::memory_order_relaxed);
+      source.end = source.next + NodeSource::chunk;
+    }
+    source.next += 2;
+    return source.next - 2;
+  }
+
+  /// The primitives of `range` are in refs_, or in scratch_ if `is_in_scratch`; afterwards they are in refs_.
+  void build(const Range& range, std::uint32_t index, int depth, bool is_in_scratch, NodeSource& source) {
+    BinaryNode& node = nodes_[index];
+    node.box_and_range = range.box.v;
+    node.box_and_range[3] = std::bit_cast<float>(range.first);
+    node.box_and_range[7] = std::bit_cast<float>(range.count);
+    if (range.count <= leaf_size_) {
+      if (is_in_scratch) std::copy_n(&scratch_[range.first], range.count, &refs_[range.first]);
+      node.left = 0;
+      std::fill_n(node.cost, 7, node.leaf_cost(costs_));
+      return;
+    }
+    const Halves halves = split(range, depth, is_in_scratch);
+    const std::uint32_t left = node.left = new_pair(source);
+    if (range.count > task_size) {
+      const auto child = [&](const Range& half, std::uint32_t at) {
+        NodeSource own;
+        build(half, at, depth + 1, !is_in_scratch, own);
+      };
+      tbb::parallel_invoke([&] { child(halves.left, left); }, [&] { child(halves.right, left + 1); });
+    } else {
+      build(halves.left, left, depth + 1, !is_in_scratch, source);
+      build(halves.right, left + 1, depth + 1, !is_in_scratch, source);
+    }
+    set_costs(node);
+  }
+
+  /// Moves the primitives over to the other array, the left ones to its front.
+  Halves split(const Range& range, int depth, bool is_in_scratch) {
+    const std::span<const PrimitiveRef> from = (is_in_scratch ? scratch_ : refs_).subspan(range.first, range.count);
+    const std::span<PrimitiveRef> to = (is_in_scratch ? refs_ : scratch_).subspan(range.first, range.count);
+    if (depth < max_heuristic_depth) {
+      const BinMapping mapping(range.centers, range.count);
+      Bins bins(mapping.count);
+      fill(bins, from, mapping);
+      BinSplit best = bins.best_split(mapping);
+      if (best.cost < infinity) {
+        bins.measure(best);
+        Halves halves{{range.first, best.left_count, best.left, {}},
+                      {range.first + best.left_count, range.count - best.left_count, best.right, {}}};
+        const auto is_left = [&](const PrimitiveRef& ref) { return mapping(ref, best.axis) < best.bin; };
+        partition(from, to, is_left, halves);
+        return halves;
+      }
+    }
+    // Too deep, or all centres in one place: any halves will do.
+    std::copy(from.begin(), from.end(), to.begin());
+    const std::uint32_t half = range.count / 2;
+    return {range_of(to, range.first, 0, half), range_of(to, range.first, half, range.count)};
+  }
+  static Range range_of(std::span<const PrimitiveRef> refs, std::uint32_t base, std::uint32_t first, std::uint32_t end) {
+    Range range{base + first, end - first, {}, {}};
+    for (const PrimitiveRef& ref : refs.subspan(first, end - first)) {
+      range.box.add(ref.box()), range.centers.add(doubled_center(ref.box()));
+    }
+    return range;
+  }
+
+  static void fill(Bins& bins, std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
+    if (refs.size() < parallel_split_size) {
+      bins.add(refs, mapping);
+      return;
+    }
+    bins = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, refs.size(), chunk_size), bins,
+        [&](const auto& part, Bins sum) {
+          sum.add(refs.subspan(part.begin(), part.size()), mapping);
+          return sum;
+        },
+        [](Bins a, const Bins& b) {
+          a.add(b);
+          return a;
+        });
+  }
+
+  /// Left ones from `left` upwards, right ones from before `right` downwards, without a branch that the processor would
+  /// mispredict every second time.
+  static void move_refs(std::span<const PrimitiveRef> from, PrimitiveRef* to, std::size_t left, std::size_t right,
+                        const auto& is_left, FlippedBox (&centers)[2]) {
+    for (const PrimitiveRef& ref : from) {
+      const bool goes_left = is_left(ref);
+      to[goes_left ? left : right - 1] = ref;
+      left += goes_left ? 1 : 0;
+      right -= goes_left ? 0 : 1;
+      centers[goes_left ? 0 : 1].add(doubled_center(ref.box()));
+    }
+  }
+
+  static void partition(std::span<const PrimitiveRef> from, std::span<PrimitiveRef> to, const auto& is_left,
+                        Halves& halves) {
+    FlippedBox centers[2];
+    if (from.size() < parallel_split_size) {
+      move_refs(from, to.data(), 0, from.size(), is_left, centers);
+    } else {
+      struct Chunk {
+        std::size_t left_count = 0, left = 0, right = 0;  // number, places to write to
+        FlippedBox centers[2];
+      };
+      std::vector<Chunk> chunks((from.size() + chunk_size - 1) / chunk_size);
+      const auto chunk_refs = [&](std::size_t i) {
+        return from.subspan(i * chunk_size, std::min(chunk_size, from.size() - i * chunk_size));
+      };
+      tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+        std::size_t count = 0;
+        for (const PrimitiveRef& ref : chunk_refs(i)) count += is_left(ref) ? 1 : 0;
+        chunks[i].left_count = count;
+      });
+      std::size_t left = 0, right = from.size();
+      for (std::size_t i = 0; i < chunks.size(); ++i) {
+        chunks[i].left = left, chunks[i].right = right;
+        left += chunks[i].left_count;
+        right -= chunk_refs(i).size() - chunks[i].left_count;
+      }
+      tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+        move_refs(chunk_refs(i), to.data(), chunks[i].left, chunks[i].right, is_left, chunks[i].centers);
+      });
+      for (const Chunk& chunk : chunks) centers[0].add(chunk.centers[0]), centers[1].add(chunk.centers[1]);
+    }
+    halves.left.centers = centers[0], halves.right.centers = centers[1];
+  }
+
+  /// From those of the children: with i children of one wide node to spend, give k to the left and the rest to the
+  /// right; with one, be a leaf or a wide node of eight.
+  void set_costs(BinaryNode& node) const {
+    const float(&a)[7] = nodes_[node.left].cost;
+    const float(&b)[7] = nodes_[node.left + 1].cost;
+    const auto least = [&](int children) {
+      float cost = infinity;
+      for (int k = 1; k < children; ++k) cost = std::min(cost, a[k - 1] + b[children - k - 1]);
+      return cost;
+    };
+    node.cost[0] = std::min(node.leaf_cost(costs_), node.box().half_area() + least(8));
+    for (int i = 2; i <= 7; ++i) node.cost[i - 1] = std::min(node.cost[i - 2], least(i));
+  }
+
+  std::span<PrimitiveRef> refs_, scratch_;
+  const WideCosts& costs_;
+  std::uint32_t leaf_size_;
+  LargeBuffer<BinaryNode> nodes_;
+  std::atomic<std::uint32_t> next_chunk_{2};
+};
+
+}  // namespace
+
+LargeBuffer<BinaryNode> build_binary_tree(std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch,
+                                          const WideCosts& costs, std::uint32_t leaf_size) {
+  return Builder(refs, scratch, costs, leaf_size).build();
+}
+
+}  // namespace candil

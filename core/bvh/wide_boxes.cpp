@@ -1,0 +1,28 @@
+#include "core/bvh/wide_boxes.h"
+
+#include <tbb/parallel_for.h>
+
+namespace candil {
+
+WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
+  LargeBuffer<PrimitiveRef> refs(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    refs[i] = PrimitiveRef(FlippedBox(boxes[i]), static_cast<std::uint32_t>(i));
+  }
+  // An item costs more than a few nodes, and its own box should decide whether it is looked into.
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, {.leaf = 4, .max_leaf_size = 1}, 1);
+  tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t i) {
+    for (std::uint32_t& child : tree.nodes[i].child) {
+      const std::uint32_t leaf = child ^ WideNode::leaf_bit;
+      if (child & WideNode::leaf_bit && leaf < tree.leaves.size()) {
+        child = WideNode::leaf_bit | refs[tree.leaves[leaf].first].id();
+      }
+    }
+  });
+  WideBoxes result;
+  result.nodes_ = std::move(tree.nodes);
+  result.bounds_ = tree.bounds;
+  return result;
+}
+
+}  // namespace candil

@@ -1,0 +1,24 @@
+/// Builds trees of eight children.
+#pragma once
+
+#include <span>
+
+#include "core/bvh/binary_build.h"
+#include "core/bvh/wide_node.h"
+
+namespace candil {
+
+struct WideLeaf {
+  std::uint32_t first, count;  ///< Into the sorted PrimitiveRefs.
+};
+
+struct WideTree {
+  LargeBuffer<WideNode> nodes;  ///< The first is the root; at least one. Leaves are indices into `leaves`.
+  LargeBuffer<WideLeaf> leaves;
+  Bounds bounds;
+};
+
+/// `refs` is brought into the order of the leaves. Same tree, bit by bit, for any number of threads.
+WideTree build_wide_tree(std::span<PrimitiveRef> refs, const WideCosts& costs, std::uint32_t binary_leaf_size);
+
+}  // namespace candil
