@@ -14,6 +14,7 @@ inline Float4 splat(float x) { return Float4{x, x, x, x}; }
 
 inline Float4 absolute(Float4 v) { return v < 0 ? -v : v; }
 inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
+inline Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
 inline float max_component(Float4 v) { return glm::max(glm::max(v[0], v[1]), v[2]); }
 inline float min_component(Float4 v) { return glm::min(glm::min(v[0], v[1]), v[2]); }
 inline float dot(Float4 a, Float4 b) {

@@ -43,16 +43,26 @@ class GroupRay {
     const Mask is_outside = ((u < 0) | (v < 0) | (w < 0)) & ((u > 0) | (v > 0) | (w > 0));
     unsigned candidates = ~sign_bits(is_outside) & ((1U << count) - 1);
     if (candidates == 0) return;
-    const Float4 sum = u + v + w, scale = 1 / sum, t = scale * u * a.z + scale * v * b.z + scale * w * c.z;
-    const Mask is_sure = (u * v != 0) & (w != 0) & (absolute(sum) < infinity);
-    const Mask is_missed = is_sure & ~((t >= 0) & (t <= t_max));
-    candidates &= ~sign_bits(is_missed);
+    const Mask is_sure = (u * v > 0) & (u * w > 0);
+    const Float4 t_low = minimum(minimum(a.z, b.z), c.z), t_high = maximum(maximum(a.z, b.z), c.z);
+    candidates &= ~sign_bits((t_low > t_max) | (t_high < 0));
     for (; candidates != 0; candidates &= candidates - 1) {
       const int lane = std::countr_zero(candidates);
-      TriangleCrossing crossing{
-          t[lane], {scale[lane] * v[lane], scale[lane] * w[lane]}, frame_.is_front(sum[lane] > 0)};
-      if (!is_sure[lane] && !cross_places_exactly(frame_, a[lane], b[lane], c[lane], t_max, crossing)) continue;
-      visit(static_cast<std::uint32_t>(lane), crossing);
+      const glm::dvec3 places[3] = {a[lane], b[lane], c[lane]};
+      bool is_counter_clockwise = u[lane] > 0;
+      if (!is_sure[lane]) {
+        const EdgeFunctions edges(places[0], places[1], places[2]);
+        if (!edges.is_passed()) continue;
+        is_counter_clockwise = edges.sum() > 0;
+      }
+      const float* const first = group + lane;
+      const auto vertex = [&](std::uint32_t i) {
+        return Vec3(first[3 * i * count], first[(3 * i + 1) * count], first[(3 * i + 2) * count]);
+      };
+      const PassedTriangle triangle{
+          {vertex(0), vertex(1), vertex(2)}, {places[0], places[1], places[2]}, is_counter_clockwise};
+      TriangleCrossing crossing;
+      if (locate_crossing(frame_, triangle, t_max, crossing)) visit(static_cast<std::uint32_t>(lane), crossing);
     }
   }
 

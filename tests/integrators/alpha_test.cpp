@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/support/accelerator_cases.h"
 #include "tests/support/chi_square.h"
 #include "tests/support/scene_builder.h"
 
@@ -23,27 +24,41 @@ Mesh facing_square() {
 
 enum class Placement { world_space, instanced, mirrored };
 
-const auto placements = testing::Values(Placement::world_space, Placement::instanced, Placement::mirrored);
+/// Every way to get there, behind every kind of accelerator.
+struct Setting {
+  AcceleratorKind kind = AcceleratorKind::embree;
+  Placement placement = Placement::world_space;
+};
 
-std::string placement_name(const testing::TestParamInfo<Placement>& test) {
+std::vector<Setting> all_settings() {
+  std::vector<Setting> settings;
+  for (const AcceleratorKind kind : accelerator_kinds()) {
+    for (const Placement placement : {Placement::world_space, Placement::instanced, Placement::mirrored}) {
+      settings.push_back({kind, placement});
+    }
+  }
+  return settings;
+}
+
+std::string setting_name(const testing::TestParamInfo<Setting>& test) {
   constexpr std::array names = {"world_space", "instanced", "mirrored"};
-  return names[static_cast<std::size_t>(test.param)];
+  return accelerator_name(test.param.kind) + "_" + names[static_cast<std::size_t>(test.param.placement)];
 }
 
 /// The square alone, at the same place and with its front towards +z however it gets there.
-Stage square_stage(const Material& material, Placement placement, Scene textures = {}) {
+Stage square_stage(const Material& material, Setting setting, Scene textures = {}) {
   SceneBuilder builder;
   builder.scene = std::move(textures);
   builder.add_mesh(facing_square(), builder.add_material(material));
   Instance& instance = builder.scene.instances[0];
-  instance.is_world_space = placement == Placement::world_space;
-  if (placement == Placement::instanced) {
+  instance.is_world_space = setting.placement == Placement::world_space;
+  if (setting.placement == Placement::instanced) {
     for (Vec3& p : builder.scene.meshes[0].positions) p = 2.0f * p - Vec3(0, 0, 4);
     instance.to_world = {Mat3(0.5f), Vec3(0, 0, 2)};
   }
   // Mirrored at the plane x = 0, the square covers itself. The front stays the front (glTF 2.0, section 3.7.4).
-  if (placement == Placement::mirrored) instance.to_world.linear[0].x = -1;
-  return Stage(builder.scene);
+  if (setting.placement == Placement::mirrored) instance.to_world.linear[0].x = -1;
+  return Stage(builder.scene, setting.kind);
 }
 
 struct Seen {
@@ -61,7 +76,7 @@ Seen look(const Stage& stage) {
   return {sees(1), sees(-1)};
 }
 
-class BackFace : public testing::TestWithParam<Placement> {};
+class BackFace : public testing::TestWithParam<Setting> {};
 
 TEST_P(BackFace, OfSingleSidedIsInvisible) {
   const Seen seen = look(square_stage(Material{}, GetParam()));
@@ -90,18 +105,20 @@ TEST_P(BackFace, HidesNothingBehindIt) {
   Scene scene = square_stage(Material{}, GetParam()).scene();
   builder.scene = scene;
   builder.add_quad(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0), builder.add_diffuse(Vec3(0.5f)));
-  const Stage stage(builder.scene);
+  const Stage stage(builder.scene, GetParam().kind);
   const auto hit = stage.accelerator().intersect({Vec3(0.3f, 0.1f, -3), Vec3(0, 0, 1)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->mesh, 1u);
   EXPECT_NEAR(hit->t, 4, 1e-5f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Placements, BackFace, placements, placement_name);
+INSTANTIATE_TEST_SUITE_P(All, BackFace, testing::ValuesIn(all_settings()), setting_name);
+
+class Mask : public testing::TestWithParam<AcceleratorKind> {};
 
 // Texels of alpha 0, 127, 128 and 255 from left to right, looked up without interpolation. A cutoff of 0.5 lies between
 // 127/255 = 0.498 and 128/255 = 0.502.
-TEST(Mask, IsCutByTheTexture) {
+TEST_P(Mask, IsCutByTheTexture) {
   Scene textures;
   TextureImage image;
   image.width = 4, image.height = 1;
@@ -115,7 +132,7 @@ TEST(Mask, IsCutByTheTexture) {
        {std::pair(1.0f, std::array{false, false, true, true}), std::pair(0.99f, std::array{false, false, false, true}),
         std::pair(0.4f, std::array{false, false, false, false})}) {
     material.base_color.w = factor;
-    const Stage stage = square_stage(material, Placement::world_space, textures);
+    const Stage stage = square_stage(material, {GetParam(), Placement::world_space}, textures);
     for (int texel = 0; texel < 4; ++texel) {
       const Ray ray{Vec3(-0.75f + 0.5f * static_cast<float>(texel), 0.1f, 2), Vec3(0, 0, -1)};
       EXPECT_EQ(stage.accelerator().intersect(ray).has_value(), expected[texel]) << factor << ", texel " << texel;
@@ -125,7 +142,7 @@ TEST(Mask, IsCutByTheTexture) {
 }
 
 // Alpha comes from vertex colours too: 0 on the left, 1 on the right, so that the cutoff of 0.25 lies at x = -0.5.
-TEST(Mask, IsCutByVertexColours) {
+TEST_P(Mask, IsCutByVertexColours) {
   SceneBuilder builder;
   Mesh mesh = facing_square();
   mesh.colors = {Vec4(1, 1, 1, 0), Vec4(1, 1, 1, 0), Vec4(1), Vec4(1)};
@@ -133,13 +150,15 @@ TEST(Mask, IsCutByVertexColours) {
   material.alpha_mode = AlphaMode::mask;
   material.alpha_cutoff = 0.25f;
   builder.add_mesh(mesh, builder.add_material(material));
-  const Stage stage(builder.scene);
+  const Stage stage(builder.scene, GetParam());
   const auto sees = [&](float x) { return stage.accelerator().occluded({Vec3(x, 0.2f, 2), Vec3(0, 0, -1)}); };
   EXPECT_FALSE(sees(-0.9f));
   EXPECT_FALSE(sees(-0.51f));
   EXPECT_TRUE(sees(-0.49f));
   EXPECT_TRUE(sees(0.9f));
 }
+
+INSTANTIATE_TEST_SUITE_P(All, Mask, testing::ValuesIn(accelerator_kinds()), kind_name);
 
 Material blended(float alpha) {
   Material material;
@@ -162,7 +181,7 @@ void expect_binomial(int count, int n, double p) {
   EXPECT_NEAR(count, n * p, 5 * std::sqrt(n * p * (1 - p))) << "p = " << p;
 }
 
-class Blend : public testing::TestWithParam<Placement> {};
+class Blend : public testing::TestWithParam<Setting> {};
 
 TEST_P(Blend, StopsTheFractionAlphaOfRays) {
   constexpr int n = 20000;
@@ -212,12 +231,14 @@ TEST_P(Blend, FullAlphaStopsAllAndNoneStopsNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Placements, Blend, placements, placement_name);
+INSTANTIATE_TEST_SUITE_P(All, Blend, testing::ValuesIn(all_settings()), setting_name);
+
+class BlendLayers : public testing::TestWithParam<AcceleratorKind> {};
 
 // Layers are independent of each other: three of alpha a let (1 - a)^3 through, be they triangles of one mesh, of
 // several meshes or of several instances of one. Which of them a ray finds first does not change whether it gets
 // through: a shadow ray and a path ray agree.
-TEST(BlendLayers, AreIndependent) {
+TEST_P(BlendLayers, AreIndependent) {
   constexpr int n = 40000;
   constexpr float alpha = 0.4f;
   for (const bool is_instanced : {false, true}) {
@@ -235,7 +256,7 @@ TEST(BlendLayers, AreIndependent) {
         builder.add_mesh(std::move(mesh), material);
       }
     }
-    const Stage stage(builder.scene);
+    const Stage stage(builder.scene, GetParam());
     Random random(3);
     int first = 0, second = 0, third = 0;
     for (int i = 0; i < n; ++i) {
@@ -252,6 +273,8 @@ TEST(BlendLayers, AreIndependent) {
     expect_binomial(third, n, alpha * (1 - alpha) * (1 - alpha));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(All, BlendLayers, testing::ValuesIn(accelerator_kinds()), kind_name);
 
 }  // namespace
 }  // namespace candil::test

@@ -5,18 +5,13 @@
 
 #include "core/shape.h"
 #include "core/warp.h"
-#include "materials/alpha.h"
+#include "tests/support/accelerator_cases.h"
 #include "tests/support/chi_square.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/shape_samples.h"
 
 namespace candil::test {
 namespace {
-
-Vec3 random_in_cube(Random& random) {
-  const Vec2 xy = random.next_2d();
-  return 2.0f * Vec3(xy, random.next_1d()) - 1.0f;
-}
 
 Mat3 random_linear(Random& random, float size) {
   const Vec3 x = random_in_cube(random), y = random_in_cube(random);
@@ -62,25 +57,24 @@ Hit nearest_shape(const Scene& scene, const Ray& ray) {
   return nearest;
 }
 
-Ray random_ray(Random& random) {
-  Ray ray{1.5f * random_in_cube(random), glm::normalize(sample_sphere(random.next_2d()))};
-  if (random.next_1d() < 0.5f) ray.t_max = 2 * random.next_1d();
-  return ray;
-}
+class ShapeAccelerator : public testing::TestWithParam<AcceleratorKind> {
+ protected:
+  static std::unique_ptr<Accelerator> make(const Scene& scene) { return make_accelerator_of(GetParam(), scene); }
+};
 
 // Triangles are asked through an accelerator that has nothing else.
-TEST(ShapeAccelerator, FindsTheNearestOfAll) {
+TEST_P(ShapeAccelerator, FindsTheNearestOfAll) {
   for (const bool has_planes : {false, true}) {
     for (const bool has_triangles : {false, true}) {
       const Scene scene = crowd(1, has_planes, has_triangles);
       Scene triangles = scene;
       triangles.shapes.clear();
-      const auto accelerator = make_accelerator(scene, alpha_filter());
-      const auto triangle_accelerator = make_accelerator(triangles, alpha_filter());
+      const auto accelerator = make(scene);
+      const auto triangle_accelerator = make(triangles);
       Random random(2);
       int hits = 0, on_planes = 0, on_triangles = 0;
       for (int i = 0; i < 20000; ++i) {
-        const Ray ray = random_ray(random);
+        const Ray ray = random_ray(random, 1);
         Hit expected = nearest_shape(scene, ray);
         if (const auto hit = triangle_accelerator->intersect(ray); hit && hit->t < expected.t) expected = *hit;
         const Hit found = accelerator->intersect(ray).value_or(Hit{});
@@ -104,12 +98,12 @@ TEST(ShapeAccelerator, FindsTheNearestOfAll) {
 }
 
 // intersect_each() gives each ray the answer that it gets alone, misses included.
-TEST(ShapeAccelerator, ManyRaysAreLikeEachAlone) {
+TEST_P(ShapeAccelerator, ManyRaysAreLikeEachAlone) {
   const Scene scene = crowd(3, true, true);
-  const auto accelerator = make_accelerator(scene, alpha_filter());
+  const auto accelerator = make(scene);
   Random random(4);
   std::vector<Ray> rays;
-  for (int i = 0; i < 1000; ++i) rays.push_back(random_ray(random));
+  for (int i = 0; i < 1000; ++i) rays.push_back(random_ray(random, 1));
   std::vector<Hit> hits(rays.size(), Hit{0.5f, Vec2(7), 1, 2, 3});
   accelerator->intersect_each(rays, hits);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -121,16 +115,16 @@ TEST(ShapeAccelerator, ManyRaysAreLikeEachAlone) {
   }
 }
 
-class ShapeInHierarchy : public testing::TestWithParam<ShapeSample> {};
+class ShapeInHierarchy : public testing::TestWithParam<std::tuple<AcceleratorKind, ShapeSample>> {};
 
 // Single-precision boxes around it lose no ray that double precision hits: rays from inside of a sphere all end on it,
 // and rays from afar at any point of a shape's front hit something.
 TEST_P(ShapeInHierarchy, LosesNoRay) {
-  const Scene scene = scene_of(GetParam().shape);
-  const Shape& shape = GetParam().shape;
+  const Shape& shape = std::get<1>(GetParam()).shape;
+  const Scene scene = scene_of(shape);
   Scene opaque = scene;
   opaque.materials[0].base_color_texture.texture = invalid_id;
-  const auto accelerator = make_accelerator(opaque, alpha_filter());
+  const auto accelerator = make_accelerator_of(std::get<0>(GetParam()), opaque);
   const ShapeIntersector intersector(shape);
   Random random(5);
   int lost = 0;
@@ -152,11 +146,14 @@ TEST_P(ShapeInHierarchy, LosesNoRay) {
   EXPECT_EQ(lost, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShapeInHierarchy, testing::ValuesIn(shape_samples()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, ShapeInHierarchy,
+                         testing::Combine(testing::ValuesIn(accelerator_kinds()), testing::ValuesIn(shape_samples())),
+                         [](const auto& test) {
+                           return accelerator_name(std::get<0>(test.param)) + "_" + std::get<1>(test.param).name;
+                         });
 
 // A fine mesh of the same ball is inside of it by its sagitta at most: hits agree but for that and its slant.
-TEST(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
+TEST_P(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
   constexpr int rows = 256;
   const Affine to_world{Mat3(Vec3(1.5f, 0.2f, 0), Vec3(-0.4f, 1, 0.3f), Vec3(0, 0.6f, -1)), Vec3(-1, 0, 4)};
   SceneBuilder exact, fine;
@@ -164,13 +161,14 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
   fine.add_sphere(Vec3(0), 1, fine.add_diffuse(Vec3(0.5f)), rows);
   fine.scene.instances[0].to_world = to_world;
   fine.scene.instances[0].is_world_space = false;
-  const auto exact_accelerator = make_accelerator(exact.scene, alpha_filter());
-  const auto fine_accelerator = make_accelerator(fine.scene, alpha_filter());
+  const auto exact_accelerator = make(exact.scene);
+  const auto fine_accelerator = make(fine.scene);
   // 1 - cos of half a cell's diagonal, in units of the ball; the transform stretches by less than 2.
   const float sagitta = 2 * (1 - std::cos(std::sqrt(2.0f) * pi / (2 * rows)));
   Random random(6);
+  const int rays = GetParam() == AcceleratorKind::brute ? 200 : 50000;  // 261,120 triangles
   int compared = 0;
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < rays; ++i) {
     const Vec3 origin = to_world.translation + 5.0f * random_in_cube(random);
     const Vec3 aim = to_world.translation + random_in_cube(random);
     if (origin == aim) continue;
@@ -189,10 +187,10 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
     ASSERT_NEAR(a->t, b->t, 1.5f * sagitta / cosine + 1e-5f);
     ASSERT_GT(glm::dot(on.normal, on_mesh.normal), 0.9999f) << "front sides agree, mirrored as it is";
   }
-  EXPECT_GT(compared, 10000);
+  EXPECT_GT(compared, rays / 5);
 }
 
-TEST(ShapeAccelerator, AgreesWithAFineMeshOfADisc) {
+TEST_P(ShapeAccelerator, AgreesWithAFineMeshOfADisc) {
   constexpr std::uint32_t corners = 1024;
   const Affine to_world{Mat3(Vec3(1.5f, 0.2f, 0), Vec3(-0.4f, 1, 0.3f), Vec3(0, 0.6f, -1)), Vec3(-1, 0, 4)};
   SceneBuilder exact, fine;
@@ -207,8 +205,8 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfADisc) {
   fine.add_mesh(fan, fine.add_material(Material{}));
   fine.scene.instances[0].to_world = to_world;
   fine.scene.instances[0].is_world_space = false;
-  const auto exact_accelerator = make_accelerator(exact.scene, alpha_filter());
-  const auto fine_accelerator = make_accelerator(fine.scene, alpha_filter());
+  const auto exact_accelerator = make(exact.scene);
+  const auto fine_accelerator = make(fine.scene);
   Random random(7);
   int compared = 0, differ = 0, culled = 0;
   for (int i = 0; i < 50000; ++i) {
@@ -229,14 +227,14 @@ TEST(ShapeAccelerator, AgreesWithAFineMeshOfADisc) {
 }
 
 // BLEND lets a share of all rays through each side, independently: of a sphere with alpha 1/2 a quarter sees through.
-TEST(ShapeAccelerator, AlphaCountsOnBothSidesOfASphere) {
+TEST_P(ShapeAccelerator, AlphaCountsOnBothSidesOfASphere) {
   SceneBuilder builder;
   Material half = Material{};
   half.base_color.w = 0.5f;
   half.alpha_mode = AlphaMode::blend;
   half.is_double_sided = true;
   builder.add_shape(ShapeKind::sphere, {Mat3(2), Vec3(0)}, builder.add_material(half));
-  const auto accelerator = make_accelerator(builder.scene, alpha_filter());
+  const auto accelerator = make(builder.scene);
   Random random(8);
   std::vector<double> observed(3);
   constexpr int count = 40000;
@@ -249,6 +247,8 @@ TEST(ShapeAccelerator, AlphaCountsOnBothSidesOfASphere) {
   const std::vector<double> expected = {0.25 * count, 0.5 * count, 0.25 * count};
   EXPECT_GT(chi_square_test(observed, expected).p_value, significance);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ShapeAccelerator, testing::ValuesIn(accelerator_kinds()), kind_name);
 
 }  // namespace
 }  // namespace candil::test

@@ -48,14 +48,21 @@ BruteForce::BruteForce(const Scene& scene, BackFaces back_faces) {
 }
 
 // Moeller and Trumbore 1997. The error bounds are of a float implementation that subtracts the ray's origin from the
-// vertices and takes products of edges, vertices and direction. With u = 2^-24, L the largest distance of a vertex from
-// the origin, E the longest edge and N = cross of two edges:
-// - subtracting moves a vertex by u L; the three edge functions, sums of products of size E L, are off by a few u E L;
-//   divided by their sum |d . N|, barycentric coordinates are off by k u E L / |d . N|;
-// - t = (v . N) / (d . N): N is off by a few u E L, v by u L, hence t by k u E L (L + t) / |d . N|, where t <= L.
+// vertices. With u = 2^-24, L the largest distance of a vertex from the origin, E the longest edge, N = cross of two
+// edges and d the ray's unit direction:
+// - Edge functions that are products of edges, vertices and direction (Embree): subtracting moves a vertex by u L; the
+//   three functions, sums of products of size E L, are off by a few u E L; divided by their sum |d . N|, barycentric
+//   coordinates are off by k u E L / |d . N|.
+// - Shearing along the largest component d_z first (core/bvh/triangle_test.h): a vertex moves by at most 6.3 u L in the
+//   plane (2 u |a| + 4 u |s c| along both axes, s <= 1). There edges are at most E / |d_z| long and the triangle has
+//   |d . N| / |d_z| of twice the area, so that barycentric coordinates are off by 6.3 u E L / |d . N|. The edge
+//   functions' own rounding is 3 u times the square of the longest edge there, which gives 3 u E^2 / |d_z| / |d . N|,
+//   at most 10.4 u E L / |d . N| since E <= 2 L and |d_z| >= 1 / sqrt(3). Hence k = 17.
+// - t = (v . N) / (d . N), or the mean of the vertices' t by the barycentric coordinates: off by k u E L (L + t) /
+//   |d . N|, where t <= L.
 // An instance is intersected in object space: the transformed origin is off by a few u times the condition number times
 // what went into it (origin and translation, which join L), and lengths and N may there be stretched against each other
-// by the squared condition number. k = 16 counts the operations generously.
+// by the squared condition number.
 std::optional<Crossing> BruteForce::cross(const Ray& ray, const Face& face) const {
   const glm::dvec3 origin(ray.origin), direction(ray.direction);
   const glm::dvec3 edge_b = face.b - face.a, edge_c = face.c - face.a, from_a = origin - face.a;
@@ -70,7 +77,7 @@ std::optional<Crossing> BruteForce::cross(const Ray& ray, const Face& face) cons
   double reach = std::max({glm::length(from_a), glm::length(face.b - origin), glm::length(face.c - origin)});
   if (!face.is_world_space) reach += glm::length(origin) + face.instance_translation;
   const double longest_edge = std::max({glm::length(edge_b), glm::length(edge_c), glm::length(face.c - face.b)});
-  constexpr double factor = 16 * 0x1p-24;
+  constexpr double factor = 17 * 0x1p-24;
   const double error = factor * face.conditioning * longest_edge * reach / std::abs(determinant);
   crossing.barycentric = Vec2(u, v);
   crossing.barycentric_error = error;
@@ -94,42 +101,53 @@ std::vector<Crossing> BruteForce::crossings(const Ray& ray) const {
   return found;
 }
 
-BruteForce::Verdict BruteForce::judge(const Ray& ray, const std::optional<Hit>& answer) const {
-  const std::vector<Crossing> all = crossings(ray);
-  const Crossing* nearest_certain = nullptr;
-  for (const Crossing& crossing : all) {
-    if (crossing.is_certain && (!nearest_certain || crossing.t < nearest_certain->t)) nearest_certain = &crossing;
+namespace {
+
+const Crossing* nearest_certain_of(const std::vector<Crossing>& crossings) {
+  const Crossing* nearest = nullptr;
+  for (const Crossing& crossing : crossings) {
+    if (crossing.is_certain && (!nearest || crossing.t < nearest->t)) nearest = &crossing;
   }
-  Verdict verdict;
-  verdict.is_decided = std::all_of(all.begin(), all.end(), [&](const Crossing& crossing) {
-    if (&crossing == nearest_certain) return true;
-    return nearest_certain && crossing.t - crossing.t_error > nearest_certain->t + nearest_certain->t_error;
+  return nearest;
+}
+
+}  // namespace
+
+bool BruteForce::is_decided(const std::vector<Crossing>& crossings) {
+  const Crossing* nearest = nearest_certain_of(crossings);
+  return std::all_of(crossings.begin(), crossings.end(), [&](const Crossing& crossing) {
+    if (&crossing == nearest) return true;
+    return nearest && crossing.t - crossing.t_error > nearest->t + nearest->t_error;
   });
-  std::ostringstream complaint;
-  complaint.precision(9);
+}
+
+std::string BruteForce::complaint(const Ray& ray, const std::vector<Crossing>& crossings,
+                                  const std::optional<Hit>& answer) {
+  const Crossing* nearest = nearest_certain_of(crossings);
+  std::ostringstream text;
+  text.precision(9);
   if (!answer) {
-    if (nearest_certain) {
-      complaint << "missed triangle " << nearest_certain->triangle << " of mesh " << nearest_certain->mesh
-                << " of instance " << nearest_certain->instance << " at " << nearest_certain->t;
+    if (nearest) {
+      text << "missed triangle " << nearest->triangle << " of mesh " << nearest->mesh << " of instance "
+           << nearest->instance << " at " << nearest->t;
     }
   } else {
-    const auto named = std::find_if(all.begin(), all.end(), [&](const Crossing& crossing) {
+    const auto named = std::find_if(crossings.begin(), crossings.end(), [&](const Crossing& crossing) {
       return crossing.instance == answer->instance && crossing.mesh == answer->mesh &&
              crossing.triangle == answer->triangle;
     });
-    if (named == all.end()) {
-      complaint << "does not cross triangle " << answer->triangle << " of mesh " << answer->mesh << " of instance "
-                << answer->instance << ", hit at " << answer->t;
+    if (named == crossings.end()) {
+      text << "does not cross triangle " << answer->triangle << " of mesh " << answer->mesh << " of instance "
+           << answer->instance << ", hit at " << answer->t;
     } else if (std::abs(answer->t - named->t) > named->t_error) {
-      complaint << "t is " << answer->t << ", not " << named->t << " within " << named->t_error;
+      text << "t is " << answer->t << ", not " << named->t << " within " << named->t_error;
     } else if (glm::length(answer->barycentric - named->barycentric) > 2 * named->barycentric_error + 1e-6) {
-      complaint << "barycentric coordinates are off by " << glm::length(answer->barycentric - named->barycentric);
-    } else if (nearest_certain && nearest_certain->t + nearest_certain->t_error < answer->t - named->t_error) {
-      complaint << "hit at " << answer->t << ", but there is a nearer one at " << nearest_certain->t;
+      text << "barycentric coordinates are off by " << glm::length(answer->barycentric - named->barycentric);
+    } else if (nearest && nearest->t + nearest->t_error < answer->t - named->t_error) {
+      text << "hit at " << answer->t << ", but there is a nearer one at " << nearest->t;
     }
   }
-  if (!complaint.str().empty()) verdict.complaint = describe(ray) + complaint.str();
-  return verdict;
+  return text.str().empty() ? "" : describe(ray) + text.str();
 }
 
 }  // namespace candil::test

@@ -1,5 +1,6 @@
-/// The plainest way to find what a ray hits: every triangle, one after the other, in double precision. Judges the
-/// answers of accelerators.
+/// The plainest way to find what a ray hits: every triangle, one after the other, in double precision and in world
+/// space. Judges the answers of accelerators, those of `brute` too: it shares no code with any of them, and knows how
+/// far a right answer may be off.
 #pragma once
 
 #include <optional>
@@ -30,11 +31,11 @@ class BruteForce {
 
   std::vector<Crossing> crossings(const Ray& ray) const;
 
-  struct Verdict {
-    std::string complaint;    ///< What is wrong with the answer; empty: right.
-    bool is_decided = false;  ///< Nothing about the ray was a matter of rounding: only one answer was right.
-  };
-  Verdict judge(const Ray& ray, const std::optional<Hit>& answer) const;
+  /// Nothing about the ray with these crossings was a matter of rounding: only one answer is right.
+  static bool is_decided(const std::vector<Crossing>& crossings);
+  /// What is wrong with an answer to the ray with these crossings; empty: it is right.
+  static std::string complaint(const Ray& ray, const std::vector<Crossing>& crossings,
+                               const std::optional<Hit>& answer);
 
  private:
   /// One triangle in world space.

@@ -30,7 +30,7 @@ class SceneBuilder {
 /// The rest of a RenderContext, built from a scene that it keeps.
 class Stage {
  public:
-  explicit Stage(Scene scene);
+  explicit Stage(Scene scene, AcceleratorKind kind = AcceleratorKind::embree);
   RenderContext context() const { return {scene_, *accelerator_, lights_, tables_}; }
   const Scene& scene() const { return scene_; }
   const Accelerator& accelerator() const { return *accelerator_; }
