@@ -1,4 +1,4 @@
-/// Pixels out of encoded bytes: the only reader of OpenImageIO, behind plain types.
+/// Pixels out of encoded bytes: the reader of OpenImageIO, behind plain types.
 #pragma once
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -31,6 +32,28 @@ Image read_environment(const std::filesystem::path& path);
 
 /// Key and value pairs for the header of files that can carry them (EXR), e.g. {"candil:seed", "7"}.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// An image as its file has it, layer by layer.
+struct LayeredImage {
+  int width = 0, height = 0;
+  bool is_linear = false;        ///< Else the values are for a display: sRGB in [0, 1].
+  bool is_8_bit = false;         ///< All values are multiples of 1/255.
+  bool has_half_floats = false;  ///< Values are rounded to 11 bits.
+  /// All that the file has, in its order. The picture itself has no name; other channels without a layer are layers of
+  /// their own ("Z").
+  std::vector<std::string> names;
+  /// Those that were wanted, in the same order; channels of colour as R, G, B (and A, by which they are multiplied).
+  std::vector<ImageLayer> layers;
+  ImageMetadata metadata;  ///< The texts of the header (EXR).
+};
+
+using LayerFilter = std::function<bool(const std::string& name)>;
+inline constexpr std::size_t max_layer_channels = 16;
+
+/// Reads those layers of any image that read_image() knows whose name `is_wanted`. All formats but EXR have the picture
+/// alone. Values stay as they are stored, but for colours, which get multiplied by the alpha of their pixel where the
+/// file does not have them so; grey is copied to R, G and B. Throws InputError.
+LayeredImage read_layers(const std::filesystem::path& path, const LayerFilter& is_wanted);
 
 /// What is written to .ppm files (io/image_ppm.h): display values, binary (P6) or ascii (P3), or linear ones with a
 /// maximum (hdr).

@@ -7,6 +7,7 @@
 #include "io/error.h"
 #include "io/image_decoder.h"
 #include "io/image_file.h"
+#include "io/image_layers.h"
 
 namespace candil {
 namespace {
@@ -53,17 +54,54 @@ Image to_linear(const DecodedImage& decoded) {
   return image;
 }
 
-}  // namespace
+/// The stored values as a picture of one layer.
+LayeredImage as_picture(const DecodedImage& decoded, const LayerFilter& is_wanted) {
+  LayeredImage result;
+  result.width = decoded.width, result.height = decoded.height;
+  result.is_linear = decoded.is_linear, result.is_8_bit = !decoded.bytes.empty();
+  result.names = {""};
+  if (!is_wanted("")) return result;
+  const bool has_alpha = decoded.channels == 2 || decoded.channels == 4;
+  ImageLayer layer{"", {"R", "G", "B"}, Image(decoded.width, decoded.height, has_alpha ? 4 : 3)};
+  if (has_alpha) layer.channels.emplace_back("A");
+  const auto from = static_cast<std::size_t>(decoded.channels), to = layer.channels.size();
+  for (std::size_t i = 0; i < layer.image.pixels.size() / to; ++i) {
+    const float alpha = has_alpha ? stored_value(decoded, i * from + from - 1) : 1.0f;
+    float* const pixel = &layer.image.pixels[i * to];
+    for (std::size_t c = 0; c < 3; ++c)
+      pixel[c] = stored_value(decoded, i * from + (from < 3 ? 0 : c)) * (decoded.is_unassociated ? alpha : 1.0f);
+    if (has_alpha) pixel[3] = alpha;
+  }
+  result.layers.push_back(std::move(layer));
+  return result;
+}
 
-Image read_image(const std::filesystem::path& path) {
+/// Calls `decode` with the bytes of the file and their format.
+template <typename Decode>
+auto read_file(const std::filesystem::path& path, const Decode& decode) {
   const std::vector<std::byte> encoded = read_bytes(path);
   const std::optional<ImageFormat> format = detect_image_format(encoded);
   if (!format) throw InputError(path.string(), "", "not an HDR, EXR, PFM, PPM, TIFF, PNG, JPEG or WebP image");
   try {
-    return to_linear(decode_image(encoded, *format));
+    return decode(encoded, *format);
   } catch (const std::runtime_error& error) {
     throw InputError(path.string(), "", error.what());
   }
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) {
+  return read_file(path, [](const std::vector<std::byte>& encoded, ImageFormat format) {
+    return to_linear(decode_image(encoded, format));
+  });
+}
+
+LayeredImage read_layers(const std::filesystem::path& path, const LayerFilter& is_wanted) {
+  return read_file(path, [&](const std::vector<std::byte>& encoded, ImageFormat format) {
+    if (format == ImageFormat::exr) return decode_layers(encoded, is_wanted);
+    return as_picture(decode_image(encoded, format), is_wanted);
+  });
 }
 
 }  // namespace candil

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Dependencies point down only: apps -> io, bench -> integrators -> materials -> core; io and the others do not know each
-# other. The programs of bench/ may see everything.
+# Dependencies point down only: apps -> io, metrics, bench -> integrators -> materials -> core; io, metrics and the others
+# do not know each other. The programs of bench/ may see everything.
 # Names every include that breaks this, and heavy libraries outside the layer that may see them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -15,17 +15,18 @@ forbid() {
   fi
 }
 
-forbid core '(materials|integrators|bench|io|apps|tests)/' 'core/ knows no other folder'
-forbid materials '(integrators|bench|io|apps|tests)/' 'materials/ knows only core/'
-forbid integrators '(bench|io|apps|tests)/' 'integrators/ knows only materials/ and core/'
-forbid bench '(io|apps|tests)/' 'bench/ knows only integrators/, materials/ and core/' --exclude-dir=programs
-forbid io '(materials|integrators|bench|apps|tests)/' 'io/ knows only core/'
+forbid core '(materials|integrators|bench|io|metrics|apps|tests)/' 'core/ knows no other folder'
+forbid materials '(integrators|bench|io|metrics|apps|tests)/' 'materials/ knows only core/'
+forbid integrators '(bench|io|metrics|apps|tests)/' 'integrators/ knows only materials/ and core/'
+forbid bench '(io|metrics|apps|tests)/' 'bench/ knows only integrators/, materials/ and core/' --exclude-dir=programs
+forbid io '(materials|integrators|bench|metrics|apps|tests)/' 'io/ knows only core/'
+forbid metrics '(materials|integrators|bench|io|apps|tests)/' 'metrics/ knows only core/'
 forbid apps 'tests/' 'apps/ does not know tests/'
 
-for folder in core materials integrators bench apps; do
+for folder in core materials integrators bench metrics apps; do
   forbid "$folder" '(OpenImageIO/|tiny_gltf)' 'only io/ sees OpenImageIO and tinygltf'
 done
-for folder in materials integrators io apps; do
+for folder in materials integrators io metrics apps; do
   forbid "$folder" '(embree[34]/|core/embree_)' 'only core/ sees Embree'
 done
 forbid bench '(embree[34]/|core/embree_)' 'of bench/ only bare_embree.cpp sees Embree' --exclude='bare_embree.cpp'

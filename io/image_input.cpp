@@ -1,0 +1,77 @@
+#include "io/image_input.h"
+
+#include <stdexcept>
+
+namespace candil {
+namespace {
+
+const char* library_name(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::png:
+      return "png";
+    case ImageFormat::jpeg:
+      return "jpeg";
+    case ImageFormat::webp:
+      return "webp";
+    case ImageFormat::hdr:
+      return "hdr";
+    case ImageFormat::exr:
+      return "openexr";
+    case ImageFormat::tiff:
+      return "tiff";
+    case ImageFormat::pfm:
+    case ImageFormat::ppm:
+      break;  // read without the library
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string first_line(const std::string& message) {
+  const std::string line = message.substr(0, message.find('\n'));
+  return line.empty() ? "the data is damaged" : line;
+}
+
+void check_size(const OIIO::ImageSpec& spec, std::size_t encoded_bytes) {
+  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+    throw std::runtime_error("image without pixels (" + size + ")");
+  if (spec.width > max_image_size || spec.height > max_image_size)
+    throw std::runtime_error("image of " + size + " pixels; the limit is " + std::to_string(max_image_size) + " x " +
+                             std::to_string(max_image_size));
+  // Deflate reaches about 1030:1, which is 8240 one-bit pixels per byte, and other formats of real pictures stay far
+  // below: a header that promises more than this in a large image is damaged, or meant to eat memory.
+  constexpr std::size_t free_pixels = std::size_t{1} << 24, pixels_per_byte = 10000;
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
+  if (pixels > free_pixels && pixels / pixels_per_byte > encoded_bytes)
+    throw std::runtime_error("image of " + size + " pixels in only " + std::to_string(encoded_bytes) + " bytes");
+}
+
+void check_kind(const OIIO::ImageSpec& spec) {
+  if (spec.deep) throw std::runtime_error("deep images are not supported");
+  const std::string color_space = spec.get_string_attribute("jpeg:ColorSpace");
+  if (color_space == "CMYK" || color_space == "YCbCrK")
+    throw std::runtime_error("CMYK colours are not supported; convert the image to RGB");
+  if (spec.width != spec.full_width || spec.height != spec.full_height)
+    throw std::runtime_error("the data window is not the display window (cropped image)");
+  // The library divides by this number, whatever the format.
+  if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memory, ImageFormat format,
+                                             OIIO::ImageSpec& spec) {
+  // Created by the name of its format: opening by a file name would go on to try every plugin there is.
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(library_name(format));
+  if (!input) {
+    OIIO::geterror();
+    throw std::runtime_error(std::string("this OpenImageIO cannot read ") + library_name(format) + " files");
+  }
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input->set_ioproxy(&memory) || !input->open("memory", spec, config))
+    throw std::runtime_error(first_line(input->geterror()));
+  return input;
+}
+
+}  // namespace candil

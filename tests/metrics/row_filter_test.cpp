@@ -1,0 +1,90 @@
+/// Filters and fast functions against their plain definitions.
+#include "metrics/row_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "metrics/fast_math.h"
+
+namespace candil::test {
+namespace {
+
+std::vector<float> ramp(int count) {
+  std::vector<float> values;
+  for (int i = 0; i < count; ++i) values.push_back(static_cast<float>((i * 37) % 101) / 101);
+  return values;
+}
+
+double plain(const HalfKernel& kernel, const std::vector<float>& values, int center) {
+  double sum =
+      kernel.is_symmetric ? static_cast<double>(kernel.weights[0]) * values[static_cast<std::size_t>(center)] : 0;
+  for (int k = 1; k <= kernel.radius(); ++k) {
+    const double right = values[static_cast<std::size_t>(center + k)],
+                 left = values[static_cast<std::size_t>(center - k)];
+    sum += kernel.weights[static_cast<std::size_t>(k)] * (kernel.is_symmetric ? right + left : right - left);
+  }
+  return sum;
+}
+
+TEST(RowFilter, IsTheSumOfItsWeightsForAnyLength) {
+  HalfKernel antisymmetric = gaussian_kernel(2, 6);
+  antisymmetric.is_symmetric = false;
+  for (const HalfKernel& kernel : {gaussian_kernel(1.5, 5), antisymmetric}) {
+    const int radius = kernel.radius();
+    for (const int count : {1, 7, 31, 32, 33, 64, 100}) {
+      const std::vector<float> values = ramp(count + 2 * radius);
+      std::vector<float> along(static_cast<std::size_t>(count));
+      filter_along_row(kernel, values.data() + radius, along.data(), count);
+      for (int i = 0; i < count; ++i)
+        ASSERT_NEAR(along[static_cast<std::size_t>(i)], plain(kernel, values, i + radius), 1e-6) << count << ' ' << i;
+
+      // Rows that are one pixel further each: across them is the same as along.
+      std::vector<const float*> rows;
+      for (int k = 0; k <= 2 * radius; ++k) rows.push_back(values.data() + k);
+      std::vector<float> across(static_cast<std::size_t>(count));
+      filter_across_rows(kernel, rows, across.data(), count);
+      ASSERT_EQ(across, along);
+    }
+  }
+}
+
+TEST(RowFilter, GivesTheSameBitsWhereverAPixelLies) {
+  const HalfKernel kernel = gaussian_kernel(3, 9);
+  const std::vector<float> values = ramp(200);
+  std::vector<float> whole(150), part(11);
+  filter_along_row(kernel, values.data() + 9, whole.data(), 150);
+  filter_along_row(kernel, values.data() + 9 + 40, part.data(), 11);
+  for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(part[i], whole[i + 40]);
+}
+
+TEST(RowFilter, GaussianKernelHasTheRatiosOfAGaussian) {
+  const HalfKernel kernel = gaussian_kernel(1.5, 5);
+  double sum = kernel.weights[0];
+  for (int k = 1; k <= 5; ++k) {
+    EXPECT_NEAR(kernel.weights[static_cast<std::size_t>(k)] / kernel.weights[0], std::exp(-k * k / 4.5), 1e-7);
+    sum += 2 * kernel.weights[static_cast<std::size_t>(k)];
+  }
+  EXPECT_NEAR(sum, 1, 1e-6);
+}
+
+TEST(FastMath, IsAsExactAsItSays) {
+  for (double x = 1e-12; x < 1e9; x *= 1.0137) {
+    const auto value = static_cast<float>(x);
+    ASSERT_NEAR(fast_cbrt(value) / std::cbrt(static_cast<double>(value)), 1, 3e-7) << x;
+    if (x > 0.25 && x < 4) {
+      ASSERT_NEAR(fast_log2(value), std::log2(static_cast<double>(value)), 2e-7) << x;
+    }
+    for (const float power : {0.5f, 0.7f, 2.4f})
+      ASSERT_NEAR(fast_pow(value, power) / std::pow(static_cast<double>(value), static_cast<double>(power)), 1,
+                  x > 1e-6 && x < 1e3 ? 3e-6 : 1e-5)
+          << x << '^' << power;
+  }
+  for (double x = -125; x < 126; x += 0.37)
+    ASSERT_NEAR(fast_exp2(static_cast<float>(x)) / std::exp2(static_cast<double>(static_cast<float>(x))), 1, 3e-7) << x;
+  EXPECT_EQ(fast_pow(0, 0.7f), 0);
+  EXPECT_EQ(fast_pow(1, 2.4f), 1);
+}
+
+}  // namespace
+}  // namespace candil::test
