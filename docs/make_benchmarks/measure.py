@@ -40,17 +40,10 @@ class Benchmarks:
         folder.mkdir(parents=True, exist_ok=True)
         self.file = folder / "results.json"
         self.results = json.loads(self.file.read_text()) if self.file.exists() else {}
-        self.known = [name for name in CONTESTANTS if self._knows(name)]
-
-    def _knows(self, name):
-        """A version of candil may lack a contestant: its name is wrong usage then, else the missing scene is the error."""
-        result = subprocess.run([str(self.program), "bench", "no-such-scene.glb", "--accel", name],
-                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return result.returncode != 2
 
     def measure(self, key, scene, primitives, plot=None):
         """Runs all contestants on a scene; `primitives` tells whether brute force takes part."""
-        names = [name for name in self.known if name != "brute" or primitives <= MOST_FOR_BRUTE]
+        names = [name for name in CONTESTANTS if name != "brute" or primitives <= MOST_FOR_BRUTE]
         self.say(f"{key}: {', '.join(names)}")
         with tempfile.TemporaryDirectory() as scratch:
             output = Path(scratch) / "bench.json"
