@@ -41,69 +41,80 @@ class BlockCrossings {
  public:
   BlockCrossings(const TriangleBlock& block, const BlockRay& ray, float t_max) {
     const Float8 origin_x = splat8(ray.origin.x), origin_y = splat8(ray.origin.y), origin_z = splat8(ray.origin.z);
-    const auto place = [&](int corner) -> Places {
+    const auto from_origin = [&](int corner) -> Vectors {
       const auto& rows = block.vertices[corner];
-      const Float8 z = load8(rows[ray.row_z]) - origin_z;
-      return {(load8(rows[ray.row_x]) - origin_x) - splat8(ray.shear.x) * z,
-              (load8(rows[ray.row_y]) - origin_y) - splat8(ray.shear.y) * z, splat8(ray.inverse_z) * z};
+      return {load8(rows[ray.row_x]) - origin_x, load8(rows[ray.row_y]) - origin_y, load8(rows[ray.row_z]) - origin_z};
     };
-    const Places a = place(0), b = place(1), c = place(2);
+    const Float8 shear_x = splat8(ray.shear.x), shear_y = splat8(ray.shear.y);
+    const auto place = [&](const Vectors& p) -> Places { return {p.x - shear_x * p.z, p.y - shear_y * p.z}; };
+    const Vectors from_a = from_origin(0), from_b = from_origin(1), from_c = from_origin(2);
+    const Places a = place(from_a), b = place(from_b), c = place(from_c);
     const Float8 u = b.x * c.y - b.y * c.x, v = c.x * a.y - c.y * a.x, w = a.x * b.y - a.y * b.x;
-    const Int8 is_inside = (minimum(minimum(u, v), w) >= 0) | (maximum(maximum(u, v), w) <= 0);
+    hits_ = sign_bits((minimum(minimum(u, v), w) >= 0) | (maximum(maximum(u, v), w) <= 0));
+    if (hits_ == 0) return;  // two of three blocks, or so
+
+    // The weights u, v, w would give t up to an error as large as that of the most distant vertex. The plane of the
+    // triangle (Moeller and Trumbore 1997) gives it up to one of the size of the triangle across its long side.
+    const Vectors edge_b = subtract(block, ray, 1), edge_c = subtract(block, ray, 2);
+    const Float8 normal_x = edge_b.y * edge_c.z - edge_b.z * edge_c.y,
+                 normal_y = edge_b.z * edge_c.x - edge_b.x * edge_c.z,
+                 normal_z = edge_b.x * edge_c.y - edge_b.y * edge_c.x;
+    const Float8 facing = shear_x * normal_x + shear_y * normal_y + normal_z;
+    const Float8 depth = (from_a.x * normal_x + from_a.y * normal_y + from_a.z * normal_z) / facing;
+    // Seen almost edge-on it is between the vertices at least; also where the above is not a number.
+    const Float8 nearest = minimum(minimum(from_a.z, from_b.z), from_c.z),
+                 farthest = maximum(maximum(from_a.z, from_b.z), from_c.z);
+    const Float8 t = splat8(ray.inverse_z) * minimum(maximum(depth, nearest), farthest);
+
     const Float8 sum = u + v + w;
-    const Float8 scale = 1 / sum;
-    const Float8 weight_b = scale * v, weight_c = scale * w;
-    const Float8 t = scale * u * a.z + weight_b * b.z + weight_c * c.z;
-    // Rounding lost a sign, or something overflowed.
-    const Int8 is_unsure = (u * v == 0) | (w == 0) | (scale == 0);
-    hits_ = sign_bits(is_inside & (is_unsure | ((t >= 0) & (t <= splat8(t_max)))));
-    if (hits_ == 0) return;
     std::memcpy(t_, &t, sizeof t);
-    std::memcpy(b_, &weight_b, sizeof weight_b);
-    std::memcpy(c_, &weight_c, sizeof weight_c);
-    turns_ = sign_bits(sum > 0);
-    front_turns_ = ray.inverse_z < 0 ? 0xff : 0;
-    const unsigned unsure = hits_ & sign_bits(is_unsure);
+    std::memcpy(v_, &v, sizeof v);
+    std::memcpy(w_, &w, sizeof w);
+    std::memcpy(sum_, &sum, sizeof sum);
+    // Rounding lost a sign, or something overflowed.
+    const unsigned unsure = hits_ & sign_bits((u * v == 0) | (w == 0) | (1 / sum == 0));
     if (unsure != 0) [[unlikely]]
-      cross_exactly(a, b, c, t_max, unsure);
+      decide_exactly(a, b, c, unsure);
+    hits_ &= sign_bits((t >= 0) & (t <= splat8(t_max)));
+    is_front_clockwise_ = ray.inverse_z > 0;
   }
 
   unsigned hits() const { return hits_; }  ///< Bit i: triangle i is hit. The rest is about those that are.
   float t(int lane) const { return t_[lane]; }
-  Vec2 barycentric(int lane) const { return {b_[lane], c_[lane]}; }
-  bool is_front_face(int lane) const { return ((turns_ ^ front_turns_) >> lane & 1) == 0; }
+  /// Weights of the second and the third vertex.
+  Vec2 barycentric(int lane) const { return Vec2(v_[lane], w_[lane]) / sum_[lane]; }
+  bool is_front_face(int lane) const { return (sum_[lane] < 0) == is_front_clockwise_; }
 
  private:
-  /// Where the eight copies of a vertex are in the frame; z is the t of the ray.
-  struct Places {
+  struct Vectors {
     Float8 x, y, z;
-    glm::dvec3 operator[](int lane) const { return {x[lane], y[lane], z[lane]}; }
   };
+  /// Of a vertex, across the ray.
+  struct Places {
+    Float8 x, y;
+  };
+  static Vectors subtract(const TriangleBlock& block, const BlockRay& ray, int corner) {
+    const auto difference = [&](int row) { return load8(block.vertices[corner][row]) - load8(block.vertices[0][row]); };
+    return {difference(ray.row_x), difference(ray.row_y), difference(ray.row_z)};
+  }
 
-  /// In double precision, where the products of the edge functions are exact and their signs right.
-  [[gnu::noinline]] void cross_exactly(const Places& places_a, const Places& places_b, const Places& places_c,
-                                       float t_max, unsigned lanes) {
+  /// In double precision the products of the edge functions are exact and their signs right.
+  [[gnu::noinline]] void decide_exactly(const Places& a, const Places& b, const Places& c, unsigned lanes) {
     for (; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
-      const glm::dvec3 a = places_a[lane], b = places_b[lane], c = places_c[lane];
-      const double u = b.x * c.y - b.y * c.x, v = c.x * a.y - c.y * a.x, w = a.x * b.y - a.y * b.x;
-      const double sum = u + v + w, t = (u * a.z + v * b.z + w * c.z) / sum;
+      const int i = std::countr_zero(lanes);
+      const double ax = a.x[i], ay = a.y[i], bx = b.x[i], by = b.y[i], cx = c.x[i], cy = c.y[i];
+      const double u = bx * cy - by * cx, v = cx * ay - cy * ax, w = ax * by - ay * bx, sum = u + v + w;
       const bool is_outside = (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0);
-      const unsigned bit = 1U << lane;
       // A sum of 0: degenerate, or seen edge-on.
-      if (is_outside || !(std::abs(sum) > 0) || !(t >= 0 && t <= t_max)) {
-        hits_ &= ~bit;
-        continue;
-      }
-      t_[lane] = static_cast<float>(t);
-      b_[lane] = static_cast<float>(v / sum), c_[lane] = static_cast<float>(w / sum);
-      turns_ = sum > 0 ? turns_ | bit : turns_ & ~bit;
+      if (is_outside || !(std::abs(sum) > 0)) hits_ &= ~(1U << i);
+      v_[i] = static_cast<float>(v / std::abs(sum)), w_[i] = static_cast<float>(w / std::abs(sum));
+      sum_[i] = sum < 0 ? -1.0f : 1.0f;
     }
   }
 
   unsigned hits_;
-  unsigned turns_, front_turns_;  // counter-clockwise in the frame, and how fronts turn there
-  alignas(32) float t_[lane_count], b_[lane_count], c_[lane_count];
+  bool is_front_clockwise_;  // in the frame
+  alignas(32) float t_[lane_count], v_[lane_count], w_[lane_count], sum_[lane_count];
 };
 
 }  // namespace candil
