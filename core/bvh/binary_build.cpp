@@ -123,7 +123,8 @@ class Builder {
     const std::uint32_t half = range.count / 2;
     return {range_of(to, range.first, 0, half), range_of(to, range.first, half, range.count)};
   }
-  static Range range_of(std::span<const PrimitiveRef> refs, std::uint32_t base, std::uint32_t first, std::uint32_t end) {
+  static Range range_of(std::span<const PrimitiveRef> refs, std::uint32_t base, std::uint32_t first,
+                        std::uint32_t end) {
     Range range{base + first, end - first, {}, {}};
     for (const PrimitiveRef& ref : refs.subspan(first, end - first)) {
       range.box.add(ref.box()), range.centers.add(doubled_center(ref.box()));

@@ -15,7 +15,7 @@ inline constexpr int max_binary_depth = max_heuristic_depth + 31;
 
 /// What visiting costs, in units of one test of eight boxes, and what a leaf may hold.
 struct WideCosts {
-  float leaf = 1;                ///< One leaf, however many primitives it holds.
+  float leaf = 1;  ///< One leaf, however many primitives it holds.
   std::uint32_t max_leaf_size = 8;
 };
 

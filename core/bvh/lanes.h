@@ -1,5 +1,6 @@
 /// Eight floats or integers at once, for hierarchies with eight children: AVX2 where the compiler may use it, else the
-/// same in plain loops, so that every processor gets the same tree and (rounding of a fused multiply apart) the same hits.
+/// same in plain loops, so that every processor gets the same tree and (rounding of a fused multiply apart) the same
+/// hits.
 #pragma once
 
 #include <algorithm>

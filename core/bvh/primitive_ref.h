@@ -12,8 +12,7 @@ struct FlippedBox {
 
   FlippedBox() = default;
   explicit FlippedBox(Float8 lanes) : v(lanes) {}
-  explicit FlippedBox(const Bounds& b)
-      : v{-b.low.x, -b.low.y, -b.low.z, 0, b.high.x, b.high.y, b.high.z, 0} {}
+  explicit FlippedBox(const Bounds& b) : v{-b.low.x, -b.low.y, -b.low.z, 0, b.high.x, b.high.y, b.high.z, 0} {}
   void add(FlippedBox other) { v = maximum(v, other.v); }
   /// Half of the surface, which is what ratios of surfaces need. 0 for a point, -infinity or so for nothing.
   float half_area() const {

@@ -112,7 +112,8 @@ WideTree build_wide_tree(std::span<PrimitiveRef> refs, const WideCosts& costs, s
     return tree;
   }
   LargeBuffer<PrimitiveRef> scratch(refs.size());
-  const LargeBuffer<BinaryNode> binary = build_binary_tree(refs, {scratch.data(), scratch.size()}, costs, binary_leaf_size);
+  const LargeBuffer<BinaryNode> binary =
+      build_binary_tree(refs, {scratch.data(), scratch.size()}, costs, binary_leaf_size);
   const FlippedBox box = binary[0].box();
   tree.bounds = {Vec3(box.low(0), box.low(1), box.low(2)), Vec3(box.high(0), box.high(1), box.high(2))};
 

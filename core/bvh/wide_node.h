@@ -25,15 +25,17 @@ static_assert(sizeof(WideNode) == 224);
 ///
 /// How far apart they are (u = 2^-24, o the origin, d the direction, r = 1/d, L the largest distance, along any axis,
 /// from the origin to a plane):
-/// - rounding r, -o r and the multiply-add moves t by at most |r| (2 u |o| + 4 u L), even where the latter is not fused;
+/// - rounding r, -o r and the multiply-add moves t by at most |r| (2 u |o| + 4 u L), even where the latter is not
+/// fused;
 /// - the triangle test decides exactly, but about vertices whose places across the ray are off by up to 6 u L (see
 ///   core/bvh/triangle_test.h). Boxes on the way to what it calls a hit have to be wider by that; Ize 2013, "Robust BVH
 ///   Ray Traversal", leaves this part out.
 /// A margin of |r| (4 u |o| + 16 u L) on either side covers both.
 ///
-/// A component of the direction below 2^-24 of the largest, D, is replaced by that: the ray, which has t < 2 L / D within
-/// the hierarchy, moves by less than 2 u L sideways, still within the margin. There the margin is more than 16 L / D, so
-/// that a ray in the plane of a face is inside. No reciprocal is infinite, and no 0 times infinity can lose a box.
+/// A component of the direction below 2^-24 of the largest, D, is replaced by that: the ray, which has t < 2 L / D
+/// within the hierarchy, moves by less than 2 u L sideways, still within the margin. There the margin is more than 16 L
+/// / D, so that a ray in the plane of a face is inside. No reciprocal is infinite, and no 0 times infinity can lose a
+/// box.
 struct WideRay {
   /// `bounds` holds the whole hierarchy.
   WideRay(const Ray& ray, const Bounds& bounds) {
@@ -68,11 +70,12 @@ inline Int8 enter_children(const WideNode& node, const WideRay& ray, float t_max
     return bits8(multiply_add(load8(planes + offset), splat8(ray.reciprocal[axis]), splat8(constant[axis])));
   };
   constexpr std::uint32_t other = WideRay::row_size;
-  const Int8 near = maximum(maximum(crossing(0, ray.near_offset[0], ray.near), crossing(1, ray.near_offset[1], ray.near)),
-                            maximum(crossing(2, ray.near_offset[2], ray.near), splat8(0)));
-  const Int8 far =
-      minimum(minimum(crossing(0, ray.near_offset[0] ^ other, ray.far), crossing(1, ray.near_offset[1] ^ other, ray.far)),
-              minimum(crossing(2, ray.near_offset[2] ^ other, ray.far), bits8(splat8(t_max))));
+  const Int8 near =
+      maximum(maximum(crossing(0, ray.near_offset[0], ray.near), crossing(1, ray.near_offset[1], ray.near)),
+              maximum(crossing(2, ray.near_offset[2], ray.near), splat8(0)));
+  const Int8 far = minimum(
+      minimum(crossing(0, ray.near_offset[0] ^ other, ray.far), crossing(1, ray.near_offset[1] ^ other, ray.far)),
+      minimum(crossing(2, ray.near_offset[2] ^ other, ray.far), bits8(splat8(t_max))));
   return near | (near > far);
 }
 

@@ -127,6 +127,7 @@ TEST(Help, IsPrintedForEveryCommandWithExamples) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"render", "--help"},
                                                     {"tonemap", "--help"},
+                                                    {"compare", "--help"},
                                                     {"info", "--help"},
                                                     {"bench", "--help"},
                                                     {"-h"}}) {
@@ -142,10 +143,11 @@ TEST(Help, ListsTheOptionsOfRender) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program({"render", "--help"}, folder.path());
   for (const char* const option :
-       {"--output",   "--spp",        "--size",    "--max-bounces", "--filter",       "--seed",      "--threads",
-        "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
-        "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
-        "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet",        "--aov",       "--aov-separate"})
+       {"--output",    "--spp",    "--size",        "--max-bounces",  "--filter",     "--seed",
+        "--threads",   "--time",   "--integrator",  "--env",          "--env-rotate", "--env-strength",
+        "--env-color", "--camera", "--orbit",       "--look-from",    "--look-at",    "--fov",
+        "--aperture",  "--focus",  "--transparent", "--exposure",     "--tonemap",    "--ppm",
+        "--stats",     "--quiet",  "--aov",         "--aov-separate", "--variance"})
     EXPECT_NE(result.output.find(option), std::string::npos) << option;
 }
 
