@@ -41,16 +41,21 @@ std::vector<Aov> parse_aovs(const std::string& text) {
 }  // namespace
 
 void add_aov_arguments(CLI::App& app, AovOptions& options) {
-  CLI::Option* const list = app.add_option_function<std::string>(
-      "--aov", [&options](const std::string& text) { options.list = parse_aovs(text); },
-      fmt::format(
-          "Also write, with commas between them: {}. Layers of .exr outputs; without one, files beside the first "
-          "output: picture.depth.exr",
-          fmt::join(allowed_words(), ", ")));
-  list->type_name("LIST")->group("Output")->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.add_flag("--aov-separate", options.is_separate, "Files of their own for --aov, also beside an .exr output")
+  app.add_option_function<std::string>(
+         "--aov", [&options](const std::string& text) { options.list = parse_aovs(text); },
+         fmt::format(
+             "Also write, with commas between them: {}. Layers of .exr outputs; without one, files beside the first "
+             "output: picture.depth.exr",
+             fmt::join(allowed_words(), ", ")))
+      ->type_name("LIST")
       ->group("Output")
-      ->needs(list);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.add_flag("--variance", options.with_variance,
+               "Also write the variance of the pixels, like an AOV: `candil compare` tells noise from changes by it")
+      ->group("Output");
+  app.add_flag("--aov-separate", options.is_separate,
+               "Files of their own for --aov and --variance, also beside an .exr output")
+      ->group("Output");
 }
 
 }  // namespace candil

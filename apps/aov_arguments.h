@@ -1,4 +1,4 @@
-/// The options of `candil render` for AOVs.
+/// The options of `candil render` for AOVs and the variance.
 #pragma once
 
 #include "apps/aov_outputs.h"
@@ -9,8 +9,8 @@ class App;
 
 namespace candil {
 
-/// Declares --aov and --aov-separate. Parsing fills `options`, which must outlive `app`; wrong words throw UsageError
-/// while parsing.
+/// Declares --aov, --variance and --aov-separate. Parsing fills `options`, which must outlive `app`; wrong words throw
+/// UsageError while parsing.
 void add_aov_arguments(CLI::App& app, AovOptions& options);
 
 }  // namespace candil

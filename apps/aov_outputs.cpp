@@ -15,12 +15,23 @@ bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& 
   return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
 }
 
+constexpr const char* variance_name = "variance";
+
+std::vector<std::string> layer_names(const AovOptions& options) {
+  std::vector<std::string> names;
+  for (const Aov aov : options.list) names.push_back(aov_name(aov));
+  if (options.with_variance) names.emplace_back(variance_name);
+  return names;
+}
+
 std::string name_list(const std::vector<std::string>& names) {
   // Names out of hostile files need not be UTF-8.
   return nlohmann::json(names).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
+
+ImageLayer variance_layer(const Film& film) { return {variance_name, {"R", "G", "B"}, film.variance()}; }
 
 std::vector<Output> plan_aov_files(const AovOptions& options, std::span<const Output> outputs,
                                    const std::filesystem::path& scene) {
@@ -29,11 +40,12 @@ std::vector<Output> plan_aov_files(const AovOptions& options, std::span<const Ou
   const auto first = std::ranges::find(outputs, false, &Output::is_standard_output);
   const std::filesystem::path beside = first == outputs.end() ? scene.filename() : first->path;
   std::vector<Output> files;
-  for (const Aov aov : options.list) {
+  for (const std::string& name : layer_names(options)) {
     std::filesystem::path path = beside;
-    path.replace_extension(aov_name(aov) + ".exr");
+    path.replace_extension(name + ".exr");
     if (std::ranges::any_of(outputs, [&](const Output& output) { return is_same_place(output.path, path); }))
-      throw UsageError(fmt::format("--aov: {} is an output already; choose another name with -o", path.string()));
+      throw UsageError(fmt::format("--{0}: {1} is an output already; choose another name with -o",
+                                   name == variance_name ? name : "aov", path.string()));
     check_writable(path);
     files.push_back({path});
   }

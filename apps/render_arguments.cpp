@@ -199,6 +199,8 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
 }
 
 void check_render_arguments(RenderOptions& options) {
+  if (options.aovs.is_separate && options.aovs.list.empty() && !options.aovs.with_variance)
+    throw UsageError("--aov-separate needs --aov or --variance");
   RenderSettings& settings = options.settings;
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }

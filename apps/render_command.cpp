@@ -91,6 +91,8 @@ ImageMetadata describe(const RenderOptions& options, const RenderSettings& setti
 void report(const RenderOptions& options, std::span<const Output> outputs, const RenderResult& result) {
   if (result.non_finite_samples > 0)
     print_warning(fmt::format("{} samples were not finite and count as black", result.non_finite_samples));
+  if (options.aovs.with_variance && result.film.sample_count() < 2)
+    print_warning("--variance: one sample per pixel tells nothing about the noise; the layer is 0");
   if (options.is_quiet) return;
   for (const Output& output : outputs)
     print_note(fmt::format("wrote {} ({}x{}, {} spp, {:.1f} s)",
@@ -132,7 +134,9 @@ int run_render(const RenderOptions& asked) {
 
   ImageMetadata metadata = describe(options, settings, camera, result.film.sample_count());
   std::ranges::move(describe_ids(prepared->scene, settings.aovs), std::back_inserter(metadata));
-  write_outputs(outputs, result.film.mean(), options.display, metadata, {result.aovs, aov_files});
+  std::vector<ImageLayer> layers = result.aovs;
+  if (options.aovs.with_variance) layers.push_back(variance_layer(result.film));
+  write_outputs(outputs, result.film.mean(), options.display, metadata, {layers, aov_files});
   if (!options.statistics.empty())
     write_statistics(options.statistics, prepared->scene, settings, result, prepared->times,
                      prepared->accelerator->memory_bytes());

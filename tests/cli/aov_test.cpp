@@ -1,6 +1,7 @@
 /// `candil render --aov`: layers in EXR files, files of their own, and what cannot be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/image_file.h"
@@ -88,6 +89,29 @@ TEST(AovCommand, SeparateFilesHoldTheSameValues) {
   EXPECT_EQ(read_exr_channels(folder / "b.depth.exr").values.at("depth.Z"), together.values.at("depth.Z"));
   EXPECT_EQ(read_exr_channels(folder / "b.normals.exr").values.at("normals.X"), together.values.at("normals.X"));
   EXPECT_EQ(read_exr_channels(folder / "b.exr").names(), (std::vector<std::string>{"B", "G", "R"}));
+}
+
+// A background of one colour has no noise; the edge of the square has.
+TEST(AovCommand, VarianceIsALayerOrAFile) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> common = {"--env-color", "0.5,0.5,0.5", "--variance"};
+  const auto render_with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    return render_square(folder, arguments);
+  };
+  EXPECT_EQ(render_with({"-o", "a.exr", "--aov", "depth"}).exit_code, 0);
+  const ExrChannels exr = read_exr_channels(folder / "a.exr");
+  EXPECT_EQ(exr.names(),
+            (std::vector<std::string>{"B", "G", "R", "depth.Z", "variance.B", "variance.G", "variance.R"}));
+  const std::vector<float>& red = exr.values.at("variance.R");
+  EXPECT_EQ(red[0], 0);
+  EXPECT_GT(*std::ranges::max_element(red), 1e-4f);
+  EXPECT_EQ(render_with({"-o", "b.png"}).exit_code, 0);
+  EXPECT_EQ(read_exr_channels(folder / "b.variance.exr").values.at("variance.R"), red);
+  const ProgramResult single = render_with({"-o", "c.exr", "--spp", "1"});
+  EXPECT_EQ(single.exit_code, 0);
+  EXPECT_NE(single.errors.find("warning: --variance"), std::string::npos) << single.errors;
+  EXPECT_EQ(render_with({"-o", "d.exr", "-o", "d.variance.exr", "--aov-separate"}).exit_code, 2);
 }
 
 TEST(AovCommand, SameBytesForAnyNumberOfThreads) {
