@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/compare/compare_arguments.h"
 #include "apps/render_arguments.h"
 #include "apps/tonemap_arguments.h"
 #include "apps/usage_error.h"
@@ -22,6 +23,7 @@ Examples:
   candil model.glb -o picture.png --spp 256 --size 1920x1080
   candil info model.glb
   candil tonemap picture.exr -o picture.png --operator agx
+  candil compare golden.png picture.png --threshold flip=0.02 --html report.html
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -42,7 +44,7 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "tonemap", "info", "-h", "--help", "--version"};
+  constexpr std::string_view known[] = {"render", "tonemap", "compare", "info", "-h", "--help", "--version"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
@@ -69,6 +71,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   TonemapOptions tonemap_options;
   CLI::App* const tonemap = app.add_subcommand("tonemap", "Make an image of linear values fit for a display");
   add_tonemap_arguments(*tonemap, tonemap_options);
+  CompareOptions compare_options;
+  CLI::App* const compare = app.add_subcommand("compare", "Measure what differs between two images");
+  add_compare_arguments(*compare, compare_options);
   InfoOptions info_options;
   CLI::App* const info = app.add_subcommand("info", "Tell what is in a scene");
   add_info_arguments(*info, info_options);
@@ -85,6 +90,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     throw UsageError(one_line(error.what()) + "; see `candil --help`");
   }
   if (tonemap->parsed()) return tonemap_options;
+  if (compare->parsed()) return compare_options;
   if (info->parsed()) return info_options;
   for (const CLI::Option* option : render->get_options())
     if (option->count() > 0) render_options.given.insert(option->get_name());

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "apps/command_options.h"
+#include "apps/compare/compare_options.h"
 
 namespace candil {
 
@@ -13,7 +14,7 @@ struct PrintText {
   std::string text;
 };
 
-using Command = std::variant<RenderOptions, TonemapOptions, InfoOptions, PrintText>;
+using Command = std::variant<RenderOptions, TonemapOptions, CompareOptions, InfoOptions, PrintText>;
 
 /// `render` may be left out. Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

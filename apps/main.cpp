@@ -5,6 +5,7 @@
 #include <new>
 
 #include "apps/command_line.h"
+#include "apps/compare/compare_command.h"
 #include "apps/exit_code.h"
 #include "apps/info_command.h"
 #include "apps/messages.h"
@@ -18,6 +19,7 @@ namespace {
 
 int run(const RenderOptions& options) { return run_render(options); }
 int run(const TonemapOptions& options) { return run_tonemap(options); }
+int run(const CompareOptions& options) { return run_compare(options); }
 int run(const InfoOptions& options) { return run_info(options); }
 int run(const PrintText& print) {
   std::fputs(print.text.c_str(), stdout);

@@ -47,13 +47,14 @@ struct LayeredImage {
   ImageMetadata metadata;  ///< The texts of the header (EXR).
 };
 
-using LayerFilter = std::function<bool(const std::string& name)>;
+/// From the names of all layers those to read.
+using LayerChoice = std::function<std::vector<std::string>(const std::vector<std::string>& names)>;
 inline constexpr std::size_t max_layer_channels = 16;
 
-/// Reads those layers of any image that read_image() knows whose name `is_wanted`. All formats but EXR have the picture
+/// Reads the layers that `choose` picks of any image that read_image() knows. All formats but EXR have the picture
 /// alone. Values stay as they are stored, but for colours, which get multiplied by the alpha of their pixel where the
 /// file does not have them so; grey is copied to R, G and B. Throws InputError.
-LayeredImage read_layers(const std::filesystem::path& path, const LayerFilter& is_wanted);
+LayeredImage read_layers(const std::filesystem::path& path, const LayerChoice& choose);
 
 /// What is written to .ppm files (io/image_ppm.h): display values, binary (P6) or ascii (P3), or linear ones with a
 /// maximum (hdr).

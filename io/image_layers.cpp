@@ -132,7 +132,7 @@ ImageMetadata read_texts(const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
-LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerFilter& is_wanted) {
+LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerChoice& choose) {
   OIIO::Filesystem::IOMemReader memory(encoded.data(), encoded.size());
   OIIO::ImageSpec spec;
   const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, ImageFormat::exr, spec);
@@ -155,9 +155,10 @@ LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerFilter
   static_cast<void>(input->geterror());
   for (Group& group : groups) sort_channels(group);
   split_picture(groups);
+  for (const Group& group : groups) result.names.push_back(group.name);
+  const std::vector<std::string> wanted = choose(result.names);
   for (const Group& group : groups) {
-    result.names.push_back(group.name);
-    if (!is_wanted(group.name)) continue;
+    if (std::ranges::find(wanted, group.name) == wanted.end()) continue;
     if (group.places.size() > max_layer_channels)
       throw std::runtime_error("layer '" + group.name + "' has more than 16 channels");
     result.layers.push_back({group.name, group.channels, read_group(*input, group, spec.width, spec.height)});

@@ -9,6 +9,6 @@
 namespace candil {
 
 /// As read_layers(), for the bytes of an EXR file. Throws std::runtime_error with one line that does not name the file.
-LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerFilter& is_wanted);
+LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerChoice& choose);
 
 }  // namespace candil

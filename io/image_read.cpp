@@ -55,12 +55,12 @@ Image to_linear(const DecodedImage& decoded) {
 }
 
 /// The stored values as a picture of one layer.
-LayeredImage as_picture(const DecodedImage& decoded, const LayerFilter& is_wanted) {
+LayeredImage as_picture(const DecodedImage& decoded, const LayerChoice& choose) {
   LayeredImage result;
   result.width = decoded.width, result.height = decoded.height;
   result.is_linear = decoded.is_linear, result.is_8_bit = !decoded.bytes.empty();
   result.names = {""};
-  if (!is_wanted("")) return result;
+  if (choose(result.names).empty()) return result;
   const bool has_alpha = decoded.channels == 2 || decoded.channels == 4;
   ImageLayer layer{"", {"R", "G", "B"}, Image(decoded.width, decoded.height, has_alpha ? 4 : 3)};
   if (has_alpha) layer.channels.emplace_back("A");
@@ -97,10 +97,10 @@ Image read_image(const std::filesystem::path& path) {
   });
 }
 
-LayeredImage read_layers(const std::filesystem::path& path, const LayerFilter& is_wanted) {
+LayeredImage read_layers(const std::filesystem::path& path, const LayerChoice& choose) {
   return read_file(path, [&](const std::vector<std::byte>& encoded, ImageFormat format) {
-    if (format == ImageFormat::exr) return decode_layers(encoded, is_wanted);
-    return as_picture(decode_image(encoded, format), is_wanted);
+    if (format == ImageFormat::exr) return decode_layers(encoded, choose);
+    return as_picture(decode_image(encoded, format), choose);
   });
 }
 

@@ -108,8 +108,12 @@ INSTANTIATE_TEST_SUITE_P(CommandLine, Usage, testing::ValuesIn(wrong_usages));
 
 TEST(Help, IsPrintedForEveryCommandWithExamples) {
   const TemporaryFolder folder;
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"render", "--help"}, {"tonemap", "--help"}, {"info", "--help"}, {"-h"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"render", "--help"},
+                                                    {"tonemap", "--help"},
+                                                    {"compare", "--help"},
+                                                    {"info", "--help"},
+                                                    {"-h"}}) {
     const ProgramResult result = run_program(arguments, folder.path());
     EXPECT_EQ(result.exit_code, 0) << arguments[0];
     EXPECT_NE(result.output.find("Examples:"), std::string::npos) << result.output;
@@ -122,10 +126,11 @@ TEST(Help, ListsTheOptionsOfRender) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program({"render", "--help"}, folder.path());
   for (const char* const option :
-       {"--output",   "--spp",        "--size",    "--max-bounces", "--filter",       "--seed",      "--threads",
-        "--time",     "--integrator", "--env",     "--env-rotate",  "--env-strength", "--env-color", "--camera",
-        "--orbit",    "--look-from",  "--look-at", "--fov",         "--aperture",     "--focus",     "--transparent",
-        "--exposure", "--tonemap",    "--ppm",     "--stats",       "--quiet",        "--aov",       "--aov-separate"})
+       {"--output",    "--spp",    "--size",        "--max-bounces",  "--filter",     "--seed",
+        "--threads",   "--time",   "--integrator",  "--env",          "--env-rotate", "--env-strength",
+        "--env-color", "--camera", "--orbit",       "--look-from",    "--look-at",    "--fov",
+        "--aperture",  "--focus",  "--transparent", "--exposure",     "--tonemap",    "--ppm",
+        "--stats",     "--quiet",  "--aov",         "--aov-separate", "--variance"})
     EXPECT_NE(result.output.find(option), std::string::npos) << option;
 }
 
