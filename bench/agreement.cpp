@@ -117,17 +117,21 @@ class Comparison {
     return distance <= 2 * error || distance <= 2 * error * conditioning(ray, hit);
   }
 
-  /// The ray itself moved by `distance`, sideways in eight directions and along itself in both.
-  static std::array<Ray, 10> moved(const Ray& ray, float distance) {
-    std::array<Ray, 10> rays;
+  /// The ray moved by up to `distance`: sideways in eight directions, and along itself in both. Also by parts of it, or
+  /// it would jump over what is thin as it sees it.
+  static std::array<Ray, 30> moved(const Ray& ray, float distance) {
+    std::array<Ray, 30> rays;
     rays.fill(ray);
     const Frame frame(ray.direction);
-    for (int i = 0; i < 8; ++i) {
-      const float angle = 0.25f * pi * static_cast<float>(i);
-      rays[i].origin += distance * frame.to_world(Vec3(std::cos(angle), std::sin(angle), 0));
+    auto next = rays.begin();
+    for (const float length : {distance, distance / 8, distance / 64}) {
+      for (int i = 0; i < 8; ++i) {
+        const float angle = 0.25f * pi * static_cast<float>(i);
+        next++->origin += length * frame.to_world(Vec3(std::cos(angle), std::sin(angle), 0));
+      }
+      next++->origin += length * ray.direction;
+      next++->origin -= length * ray.direction;
     }
-    rays[8].origin += distance * ray.direction;
-    rays[9].origin -= distance * ray.direction;
     return rays;
   }
 

@@ -182,5 +182,22 @@ TEST(Agreement, AcceptsBothAnswersAtAnOutline) {
   EXPECT_EQ(judge(0.2f).mismatches, 1u);
 }
 
+// A strip 2^-20 m wide, as an edge-on leaf seems to be: who moves a ray by a whole tolerance does not meet it again.
+TEST(Agreement, AcceptsBothAnswersAtWhatIsThin) {
+  SceneBuilder builder;
+  const std::uint32_t white = builder.add_diffuse(Vec3(0.5f));
+  builder.add_quad({0, -1, 0}, {0x1p-20f, 0, 0}, {0, 2, 0}, white);
+  builder.add_quad({-9, -9, -8}, {18, 0, 0}, {0, 18, 0}, white);  // 8 m behind, so that the tolerance is 2^-17 m
+  const Stage stage(std::move(builder.scene));
+  const std::vector<Ray> rays = {{{-0x1p-21f, 0.3f, 1}}};
+  const Mistaken other(stage.accelerator(), [](const Ray&, std::optional<Hit>& hit) {
+    hit = Hit{1, {0.3f, 0.65f}, 0, 0, 0};  // y = -1 + 2 * 0.65
+  });
+  ASSERT_EQ(stage.accelerator().intersect(rays[0])->mesh, 1u);
+  const Agreement result = compare(stage.scene(), stage.accelerator(), other, {rays}, RayKind::primary, 1);
+  EXPECT_EQ(result.ties, 1u);
+  EXPECT_EQ(result.mismatches, 0u);
+}
+
 }  // namespace
 }  // namespace candil::test
