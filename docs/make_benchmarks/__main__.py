@@ -63,7 +63,7 @@ def main():
             write()
     if "growth" in wanted:
         for triangles in growth.sizes(quality.most_triangles):
-            benchmarks.measure(growth.key_of(triangles), scenes.terrain(triangles), triangles)
+            benchmarks.measure_growth(growth.key_of(triangles), scenes.terrain(triangles), triangles)
         write()
     say("done")
     print(document)

@@ -16,12 +16,15 @@ MOST_FOR_BRUTE = 100_000
 class Quality:
     name: str
     options: tuple  # of candil bench
+    growth_options: tuple
     most_triangles: int  # of the growth
 
 
 QUALITIES = {
-    "quick": Quality("quick", ("--size", "128x128", "--spp", 2, "--repeat", 3, "--limit", 0.25), 100_000),
-    "full": Quality("full", ("--size", "384x384", "--spp", 4, "--repeat", 5, "--limit", 0.4), 10_000_000),
+    "quick": Quality("quick", ("--size", "128x128", "--spp", 2, "--repeat", 3, "--limit", 0.25),
+                     ("--size", "128x128", "--spp", 1, "--repeat", 1, "--limit", 0.1), 100_000),
+    "full": Quality("full", ("--size", "384x384", "--spp", 4, "--repeat", 5, "--limit", 0.4),
+                    ("--size", "192x192", "--spp", 2, "--repeat", 3, "--limit", 0.25), 10_000_000),
 }
 
 
@@ -41,14 +44,20 @@ class Benchmarks:
         self.file = folder / "results.json"
         self.results = json.loads(self.file.read_text()) if self.file.exists() else {}
 
-    def measure(self, key, scene, primitives, plot=None):
+    def measure_growth(self, key, scene, triangles):
+        self._measure(key, scene, triangles, self.quality.growth_options)
+
+    def measure(self, key, scene, primitives, plot):
+        self._measure(key, scene, primitives, (*self.quality.options, "--plot", plot))
+
+    def _measure(self, key, scene, primitives, options):
         """Runs all contestants on a scene; `primitives` tells whether brute force takes part."""
         names = [name for name in CONTESTANTS if name != "brute" or primitives <= MOST_FOR_BRUTE]
         self.say(f"{key}: {', '.join(names)}")
         with tempfile.TemporaryDirectory() as scratch:
             output = Path(scratch) / "bench.json"
-            command = [self.program, "bench", scene, "--json", output, "--quiet", *self.quality.options,
-                       "--threads", ",".join(map(str, thread_counts())), *(["--plot", plot] if plot else [])]
+            command = [self.program, "bench", scene, "--json", output, "--quiet", *options, "--threads",
+                       ",".join(map(str, thread_counts()))]
             for name in names:
                 command += ["--accel", name]
             result = subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
