@@ -46,8 +46,10 @@ def table(header, rows):
 
 
 def digits(value):
-    """Three digits that count."""
-    return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
+    """Two or three digits that count."""
+    if value >= 0.1:
+        return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
+    return f"{value:.2g}"
 
 
 def in_seconds(seconds):
