@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "apps/bench_arguments.h"
+#include "apps/check/check_arguments.h"
 #include "apps/compare/compare_arguments.h"
+#include "apps/messages.h"
 #include "apps/render_arguments.h"
 #include "apps/tonemap_arguments.h"
 #include "apps/usage_error.h"
@@ -26,6 +28,7 @@ Examples:
   candil tonemap picture.exr -o picture.png --operator agx
   candil bench model.glb --accel embree --accel embree:quality=high
   candil compare golden.png picture.png --threshold flip=0.02 --html report.html
+  candil check suite.toml --junit out.xml
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -46,17 +49,12 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "tonemap", "compare", "info", "bench", "-h", "--help", "--version"};
+  constexpr std::string_view known[] = {"render", "tonemap", "compare", "check",    "info",
+                                        "bench",  "-h",      "--help",  "--version"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
   return words;
-}
-
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  while (text.ends_with(' ')) text.pop_back();
-  return text;
 }
 
 }  // namespace
@@ -82,6 +80,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   BenchOptions bench_options;
   CLI::App* const bench = app.add_subcommand("bench", "Compare accelerators on the rays of a render");
   add_bench_arguments(*bench, bench_options);
+  CheckOptions check_options;
+  CLI::App* const check = app.add_subcommand("check", "Render a suite of scenes and compare with golden images");
+  add_check_arguments(*check, check_options);
 
   try {
     app.parse(with_command(argc, argv));
@@ -101,8 +102,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     complete_bench_arguments(bench_options);
     return bench_options;
   }
-  for (const CLI::Option* option : render->get_options())
-    if (option->count() > 0) render_options.given.insert(option->get_name());
+  if (check->parsed()) {
+    check_options.is_update = check->count("--update") > 0;
+    complete_check_arguments(check_options);
+    return check_options;
+  }
+  note_given_options(*render, render_options);
   check_render_arguments(render_options);
   return render_options;
 }

@@ -65,4 +65,23 @@ struct BenchOptions {
   bool is_quiet = false;
 };
 
+/// `candil check`.
+struct CheckOptions {
+  std::filesystem::path suite;
+  std::vector<std::string> filters;  ///< Names (with * for any text) and tags; empty: all tests.
+  int shard = 1, shards = 1;         ///< Which part of the tests, from 1.
+  int jobs = 0;                      ///< Tests at a time; 0: as many as processors.
+  int threads = 0;                   ///< Of each test; 0: what is left of the processors.
+  std::optional<std::uint64_t> seed;
+  std::optional<AcceleratorOptions> accelerator;
+  std::string accelerator_word;  ///< As typed.
+  std::filesystem::path output = "candil-check";
+  std::filesystem::path junit;  ///< Empty: none.
+  std::filesystem::path html;   ///< A folder; empty: none.
+  bool is_update = false;
+  std::vector<std::string> updates;  ///< Names of the tests to update; empty: all.
+  bool is_resumed = false;
+  bool is_quiet = false;
+};
+
 }  // namespace candil

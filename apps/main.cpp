@@ -5,6 +5,7 @@
 #include <new>
 
 #include "apps/bench_command.h"
+#include "apps/check/check_command.h"
 #include "apps/command_line.h"
 #include "apps/compare/compare_command.h"
 #include "apps/exit_code.h"
@@ -23,6 +24,7 @@ int run(const TonemapOptions& options) { return run_tonemap(options); }
 int run(const CompareOptions& options) { return run_compare(options); }
 int run(const InfoOptions& options) { return run_info(options); }
 int run(const BenchOptions& options) { return run_bench(options); }
+int run(const CheckOptions& options) { return run_check(options); }
 int run(const PrintText& print) {
   std::fputs(print.text.c_str(), stdout);
   return exit_done;

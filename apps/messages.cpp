@@ -19,6 +19,12 @@ std::string printable(std::string text) {
   return text;
 }
 
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
 void print_error(const std::string& message) { print_line("error: ", message); }
 void print_warning(const std::string& message) { print_line("warning: ", message); }
 void print_note(const std::string& message) { print_line("", message); }

@@ -12,5 +12,7 @@ void print_note(const std::string& message);     ///< The message alone.
 
 /// `text` with control characters replaced by '?'.
 std::string printable(std::string text);
+/// `text` with line breaks replaced by spaces, none at its end.
+std::string one_line(std::string text);
 
 }  // namespace candil

@@ -8,6 +8,7 @@
 #include "apps/aov_arguments.h"
 #include "apps/arguments.h"
 #include "apps/display_arguments.h"
+#include "apps/messages.h"
 #include "apps/usage_error.h"
 
 namespace candil {
@@ -177,6 +178,27 @@ void check_render_arguments(RenderOptions& options) {
     throw UsageError("--aov-separate needs --aov or --variance");
   RenderSettings& settings = options.settings;
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+void note_given_options(const CLI::App& app, RenderOptions& options) {
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0) options.given.insert(option->get_name());
+}
+
+RenderOptions parse_render_words(const std::vector<std::string>& words) {
+  RenderOptions options;
+  CLI::App app;
+  app.set_help_flag("");
+  add_render_arguments(app, options);
+  std::vector<std::string> reversed(words.rbegin(), words.rend());  // the order in which CLI11 takes them
+  try {
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(one_line(error.what()));
+  }
+  note_given_options(app, options);
+  check_render_arguments(options);
+  return options;
 }
 
 }  // namespace candil

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/command_options.h"
 
@@ -24,5 +26,11 @@ inline constexpr std::uint64_t max_samples = std::uint64_t{1} << 24;
 
 /// What only shows when all arguments are known. Throws UsageError.
 void check_render_arguments(RenderOptions& options);
+
+/// The options that these words of a command line mean, those after `candil render`. Throws UsageError.
+RenderOptions parse_render_words(const std::vector<std::string>& words);
+
+/// Notes in RenderOptions::given which options of `app` were there.
+void note_given_options(const CLI::App& app, RenderOptions& options);
 
 }  // namespace candil

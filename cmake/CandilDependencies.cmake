@@ -21,3 +21,7 @@ find_package(CandilOpenImageIO REQUIRED)
 # tinygltf is compiled into io/ with our own choice of its options: only its header is needed.
 find_path(CANDIL_TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
 mark_as_advanced(CANDIL_TINYGLTF_INCLUDE_DIR)
+
+# toml++ likewise: apps/check/ compiles it from its header.
+find_path(CANDIL_TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)
+mark_as_advanced(CANDIL_TOMLPLUSPLUS_INCLUDE_DIR)

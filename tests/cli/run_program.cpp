@@ -13,8 +13,9 @@
 
 namespace candil::test {
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-  std::vector<std::string> words = {CANDIL_BINARY};
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                               const std::string& program) {
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -37,10 +38,13 @@ RunningProgram::~RunningProgram() {
   waitpid(process_, nullptr, 0);
 }
 
-bool RunningProgram::wait_for(const std::string& text) const {
+bool RunningProgram::wait_for(const std::string& text) const { return wait_for(text, "err"); }
+bool RunningProgram::wait_for_output(const std::string& text) const { return wait_for(text, "out"); }
+
+bool RunningProgram::wait_for(const std::string& text, const char* stream) const {
   using namespace std::chrono_literals;
   for (int i = 0; i < 3000; ++i) {
-    if (read_text(streams_ / "err").find(text) != std::string::npos) return true;
+    if (read_text(streams_ / stream).find(text) != std::string::npos) return true;
     std::this_thread::sleep_for(10ms);
   }
   return false;
@@ -60,8 +64,9 @@ ProgramResult RunningProgram::wait() {
   return result;
 }
 
-ProgramResult run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-  return RunningProgram(arguments, folder).wait();
+ProgramResult run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                          const std::string& program) {
+  return RunningProgram(arguments, folder, program).wait();
 }
 
 std::filesystem::path write_square_scene(const TemporaryFolder& folder) {

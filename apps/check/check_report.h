@@ -1,0 +1,16 @@
+/// A page for people: all tests of a run, with pictures.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/check/test_outcome.h"
+
+namespace candil {
+
+/// Writes FOLDER/index.html, one self-contained file. Throws OutputError.
+void write_check_report(const std::filesystem::path& folder, const std::string& suite_name,
+                        const std::vector<TestOutcome>& outcomes);
+
+}  // namespace candil
