@@ -14,6 +14,7 @@ install(FILES
   DESTINATION "${package_dir}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/candil/scenes"
   PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE
-  PATTERN "golden" EXCLUDE REGEX "/models/(bunny|dragon)[^/]*$" EXCLUDE)  # those of Stanford stay here
+  PATTERN "golden" EXCLUDE PATTERN "suite" EXCLUDE REGEX "/(suite|must_fail|stand_ins)[.]toml$" EXCLUDE  # our own tests
+  REGEX "/models/(bunny|dragon)[^/]*$" EXCLUDE)  # those of Stanford stay here
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
