@@ -15,12 +15,8 @@
 namespace candil {
 namespace {
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  write_file_atomically(path, std::as_bytes(std::span(text)));
-}
-
 void write_plot(const std::filesystem::path& path, const Chart& chart) {
-  if (path.extension() == ".svg") return write_text(path, chart_svg(chart));
+  if (path.extension() == ".svg") return write_file_atomically(path, chart_svg(chart));
   write_image(path, chart_image(chart), false, {});
 }
 
@@ -86,7 +82,7 @@ int run_bench(const BenchOptions& options) {
   if (options.json == "-") {
     std::fputs(bench_json(report).c_str(), stdout);
   } else if (!options.json.empty()) {
-    write_text(options.json, bench_json(report));
+    write_file_atomically(options.json, bench_json(report));
   }
   if (!options.plot.empty()) write_plot(options.plot, bench_chart(report));
   return has_mismatch ? exit_difference : exit_done;

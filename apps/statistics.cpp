@@ -65,8 +65,7 @@ void write_statistics(const std::filesystem::path& path, const Scene& scene, con
   json["scene"] = describe_scene(scene);
   json["versions"] = {
       {"candil", candil_version()}, {"embree", embree_version()}, {"openimageio", openimageio_version()}};
-  const std::string text = json.dump(2) + "\n";
-  write_file_atomically(path, std::as_bytes(std::span(text)));
+  write_file_atomically(path, json.dump(2) + "\n");
 }
 
 }  // namespace candil

@@ -71,6 +71,10 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
   file.become_target();
 }
 
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
 void check_writable(const std::filesystem::path& path) {
   const std::filesystem::path folder = folder_of(path);
   std::error_code status;

@@ -84,10 +84,6 @@ void print_summary(const std::vector<TestOutcome>& outcomes, const CheckOptions&
   print(fmt::format("{}{}, {:.1f} s\n", failed > 0 ? "\n" : "", line, seconds));
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  write_file_atomically(path, std::as_bytes(std::span(text)));
-}
-
 /// Names shards apart in the reports of a CI system.
 std::string suite_name(const CheckOptions& options) {
   const std::string name = options.suite.stem().string();
@@ -114,7 +110,7 @@ int run_check(const CheckOptions& options) {
     results.add(outcome, settings_text(*outcome.test, options));
   };
   const std::vector<TestOutcome> outcomes = run_tests(tests, options, interrupted, store, on_done);
-  if (!options.junit.empty()) write_text(options.junit, junit_xml(suite_name(options), outcomes));
+  if (!options.junit.empty()) write_file_atomically(options.junit, junit_xml(suite_name(options), outcomes));
   if (!options.html.empty()) write_check_report(options.html, suite_name(options), outcomes);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!options.is_update || interrupted) print_summary(outcomes, options, seconds);

@@ -4,10 +4,13 @@
 
 #include <span>
 
+#include "apps/base64.h"
 #include "apps/check/failure_files.h"
+#include "apps/check/failure_page.h"
 #include "apps/check/junit.h"
 #include "apps/versions.h"
 #include "io/atomic_file.h"
+#include "io/error.h"
 
 namespace candil {
 namespace {
@@ -28,21 +31,8 @@ code { background: #f3f3f3; padding: .1em .3em; overflow-wrap: anywhere }
   .bad { color: #ff8a80 } .good { color: #7bd88f } .left { color: #ffcf66 } figcaption { color: #aaa }
 })";
 
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u;
-    };
-    const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 std::string image(std::span<const std::byte> png, const std::string& alternative) {
-  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escape_xml(alternative), base64(png));
+  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escape_xml(alternative), to_base64(png));
 }
 
 std::string figure(std::span<const std::byte> png, const std::string& caption) {
@@ -71,6 +61,9 @@ std::string failure_article(const TestOutcome& outcome) {
     html += findings_table(*outcome.verdict);
     for (const std::string& note : outcome.verdict->notes) html += "<p>" + escape_xml(note) + "</p>\n";
   }
+  if (has_failure_page(outcome))
+    html += fmt::format("<p><a href=\"{}\">Look closer</a>: slider, flicker, zoom, values of pixels, exposure</p>\n",
+                        failure_page_path(outcome.test->name).generic_string());
   html += "<p>Reproduce: <code>" + escape_xml(outcome.reproduce) + "</code></p>\n";
   if (outcome.status == TestStatus::failed)
     html += "<p>If the new picture is the right one: <code>" + escape_xml(outcome.bless) + "</code></p>\n";
@@ -88,6 +81,21 @@ std::string passed_row(const TestOutcome& outcome) {
   return fmt::format("<tr><td>{}<td>{}<td class=\"{}\">{}<td>{:.2f} s<td>{}\n", picture, escape_xml(outcome.test->name),
                      is_passed ? "good" : "left", word, outcome.seconds,
                      outcome.verdict ? escape_xml(describe_findings(*outcome.verdict, false)) : "");
+}
+
+/// A page for each failure with pictures; those that earlier runs left of tests that passed now are removed.
+void write_failure_pages(const std::filesystem::path& folder, const std::vector<TestOutcome>& outcomes) {
+  std::error_code status;
+  for (const TestOutcome& outcome : outcomes) {
+    const std::filesystem::path path = folder / failure_page_path(outcome.test->name);
+    if (has_failure_page(outcome)) {
+      std::filesystem::create_directories(path.parent_path(), status);
+      if (status) throw OutputError(path.parent_path().string(), status.message());
+      write_file_atomically(path, failure_page(outcome));
+    } else if (outcome.status != TestStatus::not_run) {
+      std::filesystem::remove(path, status);
+    }
+  }
 }
 
 }  // namespace
@@ -110,7 +118,8 @@ void write_check_report(const std::filesystem::path& folder, const std::string& 
   html += articles;
   if (!rows.empty()) html += "<table><tr><th><th>Test<th>Result<th>Time<th>Numbers\n" + rows + "</table>\n";
   html += "</body></html>\n";
-  write_file_atomically(folder / "index.html", std::as_bytes(std::span(html)));
+  write_file_atomically(folder / "index.html", html);
+  write_failure_pages(folder, outcomes);
 }
 
 }  // namespace candil

@@ -9,7 +9,8 @@
 
 namespace candil {
 
-/// Writes FOLDER/index.html, one self-contained file. Throws OutputError.
+/// Writes FOLDER/index.html, one self-contained file, and FOLDER/compare/NAME.html for each failure that has pictures
+/// (apps/check/failure_page.h). Throws OutputError.
 void write_check_report(const std::filesystem::path& folder, const std::string& suite_name,
                         const std::vector<TestOutcome>& outcomes);
 

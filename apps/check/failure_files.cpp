@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "io/atomic_file.h"
 #include "io/error.h"
@@ -15,10 +14,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* file_names[] = {"render.exr", "golden.exr", "render.png", "golden.png",
                                       "heat.png",   "change.png", "command.txt"};
-
-void write_text(const fs::path& path, const std::string& text) {
-  write_file_atomically(path, std::as_bytes(std::span(text)));
-}
 
 std::string commands(const TestOutcome& outcome) {
   return "# " + outcome.message + "\n" + outcome.reproduce + "\n# If the new picture is the right one:\n" +
@@ -58,7 +53,7 @@ void leave_failure_files(const fs::path& output, const TestOutcome& outcome) {
   if (!outcome.is_failure()) return;
   fs::create_directories(folder, status);
   if (status) throw OutputError(folder.string(), status.message());
-  write_text(folder / "command.txt", commands(outcome));
+  write_file_atomically(folder / "command.txt", commands(outcome));
   if (outcome.render && !outcome.render->image.mean.empty()) {
     write_golden(folder / "render.exr", outcome.render->image);
     write_file_atomically(folder / "render.png", shown_png(outcome.render->image.mean, outcome.render->display));

@@ -83,8 +83,7 @@ void ResultStore::add(const TestOutcome& outcome, const std::string& settings) {
                    {"key", value.key},
                    {"files", value.files}};
   const Json json = {{"version", candil_version()}, {"tests", tests}};
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  write_file_atomically(file_, std::as_bytes(std::span(text)));
+  write_file_atomically(file_, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace candil

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <span>
 
 #include "apps/compare/compare_report.h"
 #include "apps/compare/compare_result.h"
@@ -90,8 +89,7 @@ void write_report(const CompareOptions& options, const CompareInputs& inputs, co
                              map_histogram(shown.map, result.layers[i].comparison.selection, 0, shown.largest, bins)});
     report.rows.push_back(report_rows(layer, result.layers[i]));
   }
-  const std::string text = make_report(report);
-  write_file_atomically(options.html, std::as_bytes(std::span(text)));
+  write_file_atomically(options.html, make_report(report));
 }
 
 void print(std::FILE* stream, const std::string& text) {
@@ -121,10 +119,8 @@ int run_compare(const CompareOptions& options) {
   if (options.json == "-") print(stdout, result_json(options, inputs, result));
   if (!options.is_quiet)
     print(options.json == "-" ? stderr : stdout, printable_lines(describe_result(options, inputs, result)));
-  if (!options.json.empty() && options.json != "-") {
-    const std::string text = result_json(options, inputs, result);
-    write_file_atomically(options.json, std::as_bytes(std::span(text)));
-  }
+  if (!options.json.empty() && options.json != "-")
+    write_file_atomically(options.json, result_json(options, inputs, result));
   if (!options.diff.empty()) write_diff(options.diff, result.layers.front());
   if (!options.html.empty()) write_report(options, inputs, result);
   return result.is_same() ? exit_done : exit_difference;

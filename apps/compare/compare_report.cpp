@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "apps/compare/base64.h"
+#include "apps/base64.h"
 #include "apps/compare/report_template.h"
 #include "core/color.h"
 #include "io/image_file.h"

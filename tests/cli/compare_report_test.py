@@ -58,7 +58,7 @@ class Report(unittest.TestCase):
     def open(self, report):
         self.browser.events.clear()
         self.browser.open(self.path / report)
-        self.browser.wait_until("document.body.dataset.ready === 'yes'")
+        self.browser.wait_until("document.body?.dataset.ready === 'yes'")
         box = self.browser.evaluate("(() => { const box = document.getElementById('view').getBoundingClientRect();"
                                     "return [box.left, box.top, box.width, box.height]; })()")
         self.left, self.top, self.width, self.height = box

@@ -1,4 +1,4 @@
-#include "apps/compare/base64.h"
+#include "apps/base64.h"
 
 #include <algorithm>
 #include <string_view>
