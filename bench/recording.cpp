@@ -91,12 +91,7 @@ class RecordingJob {
   void record_tile(int left, int top, std::uint32_t first_sample, std::uint32_t samples) {
     std::vector<CameraSample> starts;
     for (int y = top; y < std::min(top + tile_size, settings_.height) && !is_full_; ++y) {
-      starts.clear();
-      for (int x = left; x < std::min(left + tile_size, settings_.width); ++x) {
-        const Sampler sampler({x, y}, 0, settings_.seed);
-        for (std::uint32_t i = 0; i < samples; ++i)
-          starts.push_back(camera_.sample({x, y}, sampler.at_sample(first_sample + i)));
-      }
+      camera_.sample({left, std::min(left + tile_size, settings_.width), y}, first_sample, samples, starts);
       for (std::size_t first = 0; first < starts.size() && !is_full_; first += paths_at_once)
         record_paths(std::span(starts).subspan(first, std::min(paths_at_once, starts.size() - first)));
     }

@@ -26,15 +26,30 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
 }
 
 Ray CameraRays::ray(Vec2 pixel, Vec2 u_lens) const {
-  const Vec2 plane = (pixel * pixel_scale_ - 1.0f) * Vec2(1, -1) * extent_;
-  const Vec3 across = plane.x * right_ + plane.y * up_;
+  const auto [x, y, z] = across(pixel.x, pixel.y);
   const bool is_perspective = kind_ == CameraKind::perspective;
-  const Vec3 origin = is_perspective ? origin_ : origin_ + across;
-  const Vec3 direction = is_perspective ? forward_ + across : forward_;
+  const Vec3 origin = is_perspective ? origin_ : origin_ + Vec3(x, y, z);
+  const Vec3 direction = is_perspective ? forward_ + Vec3(x, y, z) : forward_;
   if (!has_lens()) return {origin, glm::normalize(direction)};
   const Vec2 lens = lens_radius_ * point_on_lens(u_lens);
   const Vec3 shift = lens.x * right_ + lens.y * up_;
   return {origin + shift, glm::normalize(focus_distance_ * direction - shift)};
+}
+
+std::array<Ray, 8> CameraRays::rays(FloatLanes px, FloatLanes py) const {
+  const auto [x, y, z] = across(px, py);
+  std::array<Ray, 8> rays;
+  if (kind_ == CameraKind::orthographic) {
+    const Vec3 direction = glm::normalize(forward_);
+    for (int i = 0; i < 8; ++i) rays[i] = {origin_ + Vec3(x[i], y[i], z[i]), direction};
+    return rays;
+  }
+  const FloatLanes dx = forward_.x + x, dy = forward_.y + y, dz = forward_.z + z;
+  const FloatLanes squared = dx * dx + dy * dy + dz * dz;
+  FloatLanes inverse;
+  for (int i = 0; i < 8; ++i) inverse[i] = 1 / std::sqrt(squared[i]);
+  for (int i = 0; i < 8; ++i) rays[i] = {origin_, Vec3(dx[i], dy[i], dz[i]) * inverse[i]};
+  return rays;
 }
 
 Vec2 CameraRays::point_on_lens(Vec2 u) const {

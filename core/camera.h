@@ -1,11 +1,13 @@
 /// Camera rays: perspective or orthographic, pinhole or thin lens.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
 #include "core/ray.h"
 #include "core/scene.h"
+#include "core/simd.h"
 
 namespace candil {
 
@@ -19,11 +21,24 @@ class CameraRays {
   /// [0, 1)^2 picks the point on the lens: a disc, or the regular polygon in it if the camera has blades, uniformly.
   /// Thin lens: Pharr, Jakob and Humphreys 2023, section 5.2.3.
   Ray ray(Vec2 pixel, Vec2 u_lens) const;
+  /// Eight rays at once, to the bit, through the pixels (x, y); without a lens.
+  std::array<Ray, 8> rays(FloatLanes x, FloatLanes y) const;
   bool has_lens() const { return lens_radius_ > 0; }
   /// Metres from the plane of the camera (and of its lens) to `position`, along the viewing axis.
   float depth(Vec3 position) const { return glm::dot(position - origin_, forward_); }
 
  private:
+  /// Of one ray, or of eight.
+  template <typename Number>
+  struct Coordinates {
+    Number x, y, z;
+  };
+  /// From the middle of the image plane to a point on it, in world space.
+  template <typename Number>
+  Coordinates<Number> across(Number x, Number y) const {
+    const Number right = (x * pixel_scale_.x - 1.0f) * extent_.x, up = (1.0f - y * pixel_scale_.y) * extent_.y;
+    return {right * right_.x + up * up_.x, right * right_.y + up * up_.y, right * right_.z + up * up_.z};
+  }
   Vec2 point_on_lens(Vec2 u) const;  // of radius 1
 
   CameraKind kind_;

@@ -50,12 +50,4 @@ PixelFilter::PixelFilter(FilterKind kind) {
   }
 }
 
-float PixelFilter::sample_1d(float u) const {
-  const float position = u * table_size;
-  const int index = glm::min(static_cast<int>(position), table_size - 1);
-  return glm::mix(inverse_cdf_[index], inverse_cdf_[index + 1], position - static_cast<float>(index));
-}
-
-Vec2 PixelFilter::sample(Vec2 u) const { return {sample_1d(u.x), sample_1d(u.y)}; }
-
 }  // namespace candil

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/math.h"
+#include "core/simd.h"
 
 namespace candil {
 
@@ -20,11 +20,26 @@ class PixelFilter {
   explicit PixelFilter(FilterKind kind);
   /// Offset from the pixel's centre in pixels, distributed like the filter. Box: [-0.5, 0.5); Blackman-Harris: within
   /// 1.5 (a window 3 pixels wide); Gaussian: standard deviation 0.5, cut at 1.5. u in [0, 1)^2.
-  Vec2 sample(Vec2 u) const;
+  Vec2 sample(Vec2 u) const { return {sample_1d(u.x), sample_1d(u.y)}; }
+  /// sample() along one axis, of one number or of eight.
+  float sample_1d(float u) const {
+    const float position = u * table_size;
+    const int index = glm::min(static_cast<int>(position), table_size - 1);
+    return glm::mix(inverse_cdf_[index], inverse_cdf_[index + 1], position - static_cast<float>(index));
+  }
+  FloatLanes sample_1d(FloatLanes u) const {
+    const FloatLanes position = u * static_cast<float>(table_size);
+    FloatLanes low{}, high{}, start{};
+    for (int i = 0; i < 8; ++i) {
+      const int index = glm::min(static_cast<int>(position[i]), table_size - 1);
+      low[i] = inverse_cdf_[index], high[i] = inverse_cdf_[index + 1], start[i] = static_cast<float>(index);
+    }
+    const FloatLanes part = position - start;
+    return low * (1 - part) + high * part;
+  }
 
  private:
   static constexpr int table_size = 256;
-  float sample_1d(float u) const;
   std::array<float, table_size + 1> inverse_cdf_;
 };
 

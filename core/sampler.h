@@ -6,13 +6,12 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "core/hash.h"
+#include "core/simd.h"
 
 namespace candil {
-
-/// Eight integers that are worked on together, one in each lane of a vector register.
-using Lanes = std::uint32_t __attribute__((vector_size(32)));
 
 /// Bits in reverse order. All functions below take an integer or eight.
 template <typename Integer>
@@ -47,8 +46,6 @@ Integer sobol_second_dimension_reversed(Integer index) {
   return index ^ (index >> 16);
 }
 
-using FloatLanes = float __attribute__((vector_size(32)));
-
 /// Four points in [0, 1)^2.
 struct FourPoints {
   FloatLanes coordinates;  ///< The x of all, then the y.
@@ -78,6 +75,16 @@ class Sampler {
     return {to_unit_float(reverse_bits(x)), to_unit_float(reverse_bits(y))};
   }
 
+  /// sample_2d() of eight samplers at once, to the bit: the x of all, then the y.
+  static std::array<FloatLanes, 2> sample_2d(const std::array<Sampler, 8>& samplers, std::uint32_t dimension) {
+    static_assert(sizeof samplers == 2 * sizeof(Lanes));
+    Lanes a, b;
+    std::memcpy(&a, &samplers[0], sizeof a);
+    std::memcpy(&b, &samplers[4], sizeof b);
+    const Lanes seed = hash_combine(__builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14), Lanes{} + dimension);
+    return scrambled(__builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15), seed);
+  }
+
   /// sample_2d() of four dimensions in a row, to the bit, for little more than the price of one.
   FourPoints sample_four_2d(std::uint32_t first_dimension) const {
     return sample_four_2d({*this, *this}, {first_dimension, first_dimension})[0];
@@ -92,10 +99,7 @@ class Sampler {
     };
     const Lanes dimension = both(first_dimensions[0], first_dimensions[1]) + Lanes{0, 1, 2, 3, 0, 1, 2, 3};
     const Lanes seed = hash_combine(both(a.pixel_seed_, b.pixel_seed_), dimension);
-    const Lanes index = reverse_bits(laine_karras_permutation(both(a.reversed_index_, b.reversed_index_), seed));
-    const FloatLanes x = to_unit_floats(reverse_bits(laine_karras_permutation(index, seed * x_scramble)));
-    const FloatLanes y = to_unit_floats(
-        reverse_bits(laine_karras_permutation(sobol_second_dimension_reversed(index), seed * y_scramble)));
+    const auto [x, y] = scrambled(both(a.reversed_index_, b.reversed_index_), seed);
     return {FourPoints{__builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11)},
             FourPoints{__builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15)}};
   }
@@ -112,6 +116,13 @@ class Sampler {
   static FloatLanes to_unit_floats(Lanes bits) {
     using SignedLanes = std::int32_t __attribute__((vector_size(32)));
     return __builtin_convertvector(reinterpret_cast<SignedLanes>(bits >> 8), FloatLanes) * 0x1p-24f;
+  }
+  /// Eight points of the sequences of `seed`.
+  static std::array<FloatLanes, 2> scrambled(Lanes reversed_index, Lanes seed) {
+    const Lanes index = reverse_bits(laine_karras_permutation(reversed_index, seed));
+    return {to_unit_floats(reverse_bits(laine_karras_permutation(index, seed * x_scramble))),
+            to_unit_floats(
+                reverse_bits(laine_karras_permutation(sobol_second_dimension_reversed(index), seed * y_scramble)))};
   }
   std::uint32_t shuffled_index(std::uint32_t dimension_seed) const {
     return reverse_bits(laine_karras_permutation(reversed_index_, dimension_seed));

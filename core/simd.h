@@ -1,11 +1,16 @@
-/// Vec3 in a vector register, for the code that every ray runs through: GLM works component by component.
+/// Numbers in vector registers, for the code that every ray runs through: GLM works component by component.
 #pragma once
 
 #include "core/affine.h"
 
 namespace candil {
 
-/// Lane 3 is not used; it is kept finite.
+/// Eight integers, or numbers, that are worked on together: one of eight samples, or of four samples twice, in each
+/// lane.
+using Lanes = std::uint32_t __attribute__((vector_size(32)));
+using FloatLanes = float __attribute__((vector_size(32)));
+
+/// A Vec3. Lane 3 is not used; it is kept finite.
 using Float4 = float __attribute__((vector_size(16)));
 
 inline Float4 to_lanes(Vec3 v) { return Float4{v.x, v.y, v.z, 0}; }

@@ -1,27 +1,32 @@
 /// Which rays a render shoots from the camera.
 #pragma once
 
+#include <vector>
+
 #include "core/camera.h"
+#include "core/pixel_filter.h"
 #include "integrators/integrator.h"
 
 namespace candil {
 
+/// Pixels [left, right) of row y, which counts from the top.
+struct PixelRow {
+  int left, right, y;
+};
+
 /// A camera and a pixel filter, bound to the settings of a render.
 class CameraSampling {
  public:
-  CameraSampling(const Camera& camera, const RenderSettings& settings)
-      : rays_(camera, settings.width, settings.height), filter_(settings.filter) {}
+  CameraSampling(const Camera& camera, const RenderSettings& settings);
 
-  /// The ray of one sample; `pixel` counts from the upper left corner of the image.
-  CameraSample sample(Vec2 pixel, const Sampler& sampler) const {
-    const Vec2 position = pixel + 0.5f + filter_.sample(sampler.sample_2d(dimension::filter));
-    const Vec2 u_lens = rays_.has_lens() ? sampler.sample_2d(dimension::lens) : Vec2(0);
-    return {rays_.ray(position, u_lens), sampler};
-  }
+  /// Replaces what is in `samples` by samples [first_sample, first_sample + count) of every pixel, pixel by pixel.
+  void sample(const PixelRow& row, std::uint32_t first_sample, std::uint32_t count,
+              std::vector<CameraSample>& samples) const;
 
  private:
   CameraRays rays_;
   PixelFilter filter_;
+  std::uint64_t seed_;
 };
 
 }  // namespace candil

@@ -113,13 +113,7 @@ class RenderJob {
     std::vector<PathSample> results(tile.cols().size() * block.samples);
     samples.reserve(results.size());
     for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
-      samples.clear();
-      for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-        const Sampler sampler({x, y}, 0, settings_.seed);
-        for (std::uint32_t i = 0; i < block.samples; ++i) {
-          samples.push_back(camera_.sample({x, y}, sampler.at_sample(block.first_sample + i)));
-        }
-      }
+      camera_.sample({tile.cols().begin(), tile.cols().end(), y}, block.first_sample, block.samples, samples);
       trace_(context_, settings_, samples, results, rays);
       for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
         const std::size_t first = static_cast<std::size_t>(x - tile.cols().begin()) * block.samples;

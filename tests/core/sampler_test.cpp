@@ -86,5 +86,14 @@ TEST(Sampler, FourPointsAtOnceAreTheSameAsOneByOne) {
   }
 }
 
+TEST(Sampler, EightSamplersAtOnceAreTheSameAsOneByOne) {
+  for (std::uint32_t index = 0; index < 300; ++index) {
+    std::vector<Sampler> one;
+    for (std::uint32_t i = 0; i < 8; ++i) one.push_back({{index + i / 3, 1000 - index}, i * 2654435761U, index});
+    const auto [x, y] = Sampler::sample_2d({one[0], one[1], one[2], one[3], one[4], one[5], one[6], one[7]}, index);
+    for (std::size_t i = 0; i < 8; ++i) ASSERT_EQ(Vec2(x[i], y[i]), one[i].sample_2d(index)) << index << ", " << i;
+  }
+}
+
 }  // namespace
 }  // namespace candil
