@@ -97,11 +97,13 @@ std::vector<std::byte> encode_by_library(const std::string& extension, const OII
 }  // namespace
 
 std::vector<std::byte> encode_image(const std::string& extension, const Image& image, bool with_alpha,
-                                    const ImageMetadata& metadata, PpmKind ppm) {
+                                    const ImageMetadata& metadata, PpmKind ppm, int png_level) {
   const int channels = with_alpha && has_alpha_channel("image" + extension) ? 4 : 3;
   const bool is_8_bit = !is_linear_format("image" + extension, ppm);
   const OIIO::TypeDesc type = is_8_bit ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
-  const std::vector<float> values = select_channels(image, channels);
+  const std::vector<float> selected =
+      channels == image.channels ? std::vector<float>() : select_channels(image, channels);
+  const std::vector<float>& values = channels == image.channels ? image.pixels : selected;
   const std::vector<std::uint8_t> bytes = is_8_bit ? to_bytes(values) : std::vector<std::uint8_t>();
   if (extension == ".ppm" && ppm == PpmKind::hdr) return encode_hdr_ppm(image.width, image.height, values);
   if (extension == ".ppm" && ppm == PpmKind::ascii) return encode_ascii_ppm(image.width, image.height, bytes);
@@ -109,7 +111,9 @@ std::vector<std::byte> encode_image(const std::string& extension, const Image& i
   if (extension == ".pfm") return encode_pfm(image.width, image.height, values);
 
   const void* pixels = is_8_bit ? static_cast<const void*>(bytes.data()) : values.data();
-  return encode_by_library(extension, make_spec(extension, image, channels, type, metadata), pixels);
+  OIIO::ImageSpec spec = make_spec(extension, image, channels, type, metadata);
+  if (extension == ".png") spec.attribute("png:compressionLevel", png_level);
+  return encode_by_library(extension, spec, pixels);
 }
 
 std::vector<std::byte> encode_layers(std::span<const ImageLayer> layers, const ImageMetadata& metadata) {

@@ -65,9 +65,9 @@ void write_layers(const std::filesystem::path& path, std::span<const ImageLayer>
   write_encoded(path, [&] { return encode_layers(layers, metadata); });
 }
 
-std::vector<std::byte> encode_png(const Image& display, bool with_alpha) {
+std::vector<std::byte> encode_png(const Image& display, bool with_alpha, int level) {
   try {
-    return encode_image(".png", display, with_alpha, {}, PpmKind::binary);
+    return encode_image(".png", display, with_alpha, {}, PpmKind::binary, level);
   } catch (const std::runtime_error& error) {
     throw OutputError("standard output", error.what());
   }

@@ -82,8 +82,11 @@ bool has_layers(const std::filesystem::path& path);
 /// write_image(); throws OutputError.
 void write_layers(const std::filesystem::path& path, std::span<const ImageLayer> layers, const ImageMetadata& metadata);
 
-/// An 8-bit PNG in memory, for standard output. `display` is as for write_image(). Throws OutputError.
-std::vector<std::byte> encode_png(const Image& display, bool with_alpha);
+/// How hard PNG files are compressed, from 1 (quick) to 9 (small).
+inline constexpr int default_png_level = 6;
+
+/// An 8-bit PNG in memory, for standard output and reports. `display` is as for write_image(). Throws OutputError.
+std::vector<std::byte> encode_png(const Image& display, bool with_alpha, int level = default_png_level);
 
 /// "2.4.7": the version of the library that is linked.
 std::string openimageio_version();

@@ -59,7 +59,7 @@ void check_kind(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memory, ImageFormat format,
+std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOProxy& file, ImageFormat format,
                                              OIIO::ImageSpec& spec) {
   // Created by the name of its format: opening by a file name would go on to try every plugin there is.
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(library_name(format));
@@ -69,7 +69,7 @@ std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memo
   }
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->set_ioproxy(&memory) || !input->open("memory", spec, config))
+  if (!input->set_ioproxy(&file) || !input->open("memory", spec, config))
     throw std::runtime_error(first_line(input->geterror()));
   return input;
 }

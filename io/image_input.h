@@ -12,9 +12,9 @@
 
 namespace candil {
 
-/// Opens a file in memory, which outlives what is returned; `spec` becomes that of its first image. Not for PFM and
-/// PPM. Throws std::runtime_error with one line.
-std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memory, ImageFormat format,
+/// Opens a file in memory or on disk, which outlives what is returned; `spec` becomes that of its first image. Not for
+/// PFM and PPM. Throws std::runtime_error with one line.
+std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOProxy& file, ImageFormat format,
                                              OIIO::ImageSpec& spec);
 
 /// Throws std::runtime_error for an image that is empty, too large, or larger than the file can mean.

@@ -130,13 +130,10 @@ ImageMetadata read_texts(const OIIO::ImageSpec& spec) {
   return texts;
 }
 
-}  // namespace
-
-LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerChoice& choose) {
-  OIIO::Filesystem::IOMemReader memory(encoded.data(), encoded.size());
+LayeredImage decode(OIIO::Filesystem::IOProxy& file, const LayerChoice& choose) {
   OIIO::ImageSpec spec;
-  const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, ImageFormat::exr, spec);
-  check_size(spec, encoded.size());
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(file, ImageFormat::exr, spec);
+  check_size(spec, file.size());
   check_kind(spec);
   LayeredImage result;
   result.width = spec.width, result.height = spec.height, result.is_linear = true;
@@ -167,6 +164,19 @@ LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerChoice
   input->close();
   static_cast<void>(input->geterror());
   return result;
+}
+
+}  // namespace
+
+LayeredImage decode_layers(std::span<const std::byte> encoded, const LayerChoice& choose) {
+  OIIO::Filesystem::IOMemReader memory(encoded.data(), encoded.size());
+  return decode(memory, choose);
+}
+
+LayeredImage decode_layers(const std::filesystem::path& path, const LayerChoice& choose) {
+  OIIO::Filesystem::IOFile file(path.string(), OIIO::Filesystem::IOProxy::Read);
+  if (file.mode() != OIIO::Filesystem::IOProxy::Read) throw std::runtime_error("cannot be read");
+  return decode(file, choose);
 }
 
 }  // namespace candil

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 
 #include "core/color.h"
@@ -12,7 +13,8 @@
 namespace candil {
 namespace {
 
-std::vector<std::byte> read_bytes(const std::filesystem::path& path) {
+/// The first `most` bytes of a file, or all.
+std::vector<std::byte> read_bytes(const std::filesystem::path& path, std::uintmax_t most = ~std::uintmax_t{0}) {
   constexpr std::uintmax_t max_bytes = std::uintmax_t{1} << 32;
   std::error_code status;
   if (!std::filesystem::exists(path, status)) throw InputError(path.string(), "", "no such file");
@@ -21,8 +23,8 @@ std::vector<std::byte> read_bytes(const std::filesystem::path& path) {
   if (status) throw InputError(path.string(), "", status.message());
   if (size > max_bytes) throw InputError(path.string(), "", "larger than 4 GiB");
   std::ifstream stream(path, std::ios::binary);
-  std::vector<std::byte> bytes(size);
-  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+  std::vector<std::byte> bytes(std::min(size, most));
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
     throw InputError(path.string(), "", "cannot be read");
   return bytes;
 }
@@ -76,14 +78,13 @@ LayeredImage as_picture(const DecodedImage& decoded, const LayerChoice& choose) 
   return result;
 }
 
-/// Calls `decode` with the bytes of the file and their format.
+/// What `decode` makes of the file's format; what it throws names the file.
 template <typename Decode>
-auto read_file(const std::filesystem::path& path, const Decode& decode) {
-  const std::vector<std::byte> encoded = read_bytes(path);
-  const std::optional<ImageFormat> format = detect_image_format(encoded);
+auto read_file(const std::filesystem::path& path, std::span<const std::byte> start, const Decode& decode) {
+  const std::optional<ImageFormat> format = detect_image_format(start);
   if (!format) throw InputError(path.string(), "", "not an HDR, EXR, PFM, PPM, TIFF, PNG, JPEG or WebP image");
   try {
-    return decode(encoded, *format);
+    return decode(*format);
   } catch (const std::runtime_error& error) {
     throw InputError(path.string(), "", error.what());
   }
@@ -92,15 +93,15 @@ auto read_file(const std::filesystem::path& path, const Decode& decode) {
 }  // namespace
 
 Image read_image(const std::filesystem::path& path) {
-  return read_file(path, [](const std::vector<std::byte>& encoded, ImageFormat format) {
-    return to_linear(decode_image(encoded, format));
-  });
+  const std::vector<std::byte> encoded = read_bytes(path);
+  return read_file(path, encoded, [&](ImageFormat format) { return to_linear(decode_image(encoded, format)); });
 }
 
 LayeredImage read_layers(const std::filesystem::path& path, const LayerChoice& choose) {
-  return read_file(path, [&](const std::vector<std::byte>& encoded, ImageFormat format) {
-    if (format == ImageFormat::exr) return decode_layers(encoded, choose);
-    return as_picture(decode_image(encoded, format), choose);
+  constexpr std::uintmax_t start = 16;
+  return read_file(path, read_bytes(path, start), [&](ImageFormat format) {
+    if (format == ImageFormat::exr) return decode_layers(path, choose);
+    return as_picture(decode_image(read_bytes(path), format), choose);
   });
 }
 

@@ -9,13 +9,14 @@
 #include "metrics/flip_filters.h"
 #include "metrics/flip_tone.h"
 #include "metrics/parallel_rows.h"
+#include "metrics/pixel_rows.h"
 
 namespace candil {
 namespace {
 
 /// The image is done in tiles of this size, each on one core; what lies around them is made anew for each. Within a
 /// tile rows go through a window as high as the filters, so that everything stays in the processor's cache.
-constexpr int tile_width = 256, tile_height = 256;
+constexpr int tile_width = 256, tile_height = 448;
 
 struct Tile {
   int x0, y0, x1, y1;
@@ -45,19 +46,6 @@ struct ToScreen {
   }
 };
 
-/// Columns first to last - 1 of an image's row, one array for each channel.
-template <int channels>
-void split_channels(const float* pixels, int count, const std::array<float*, 3>& out) {
-  float* const __restrict red = out[0];
-  float* const __restrict green = out[1];
-  float* const __restrict blue = out[2];
-  for (int i = 0; i < count; ++i) {
-    red[i] = pixels[i * channels];
-    green[i] = pixels[i * channels + 1];
-    blue[i] = pixels[i * channels + 2];
-  }
-}
-
 /// The rows of one image around the row under way, in opponent colours; as wide as the tile and the filters around it.
 class Window {
  public:
@@ -80,27 +68,27 @@ class Window {
   /// What the filters give for row y; rows up to the radius around it have been pushed.
   void filter_row(int y, int width) {
     const int wide = width + 2 * filters_.radius;
-    const auto filter = [&](int channel, const HalfKernel& across, const HalfKernel& along, std::vector<float>& out) {
-      filter_across(channel, across, y, wide, across_[0]);
-      filter_along(along, across_[0], width, out);
-    };
     constexpr int luminance = 0, red_green = 1, blue_yellow = 2;
-    filter(luminance, filters_.luminance, filters_.luminance, out_[0]);
-    filter(red_green, filters_.red_green, filters_.red_green, out_[1]);
-    filter(blue_yellow, filters_.blue_yellow_wide, filters_.blue_yellow_wide_along, out_[2]);
-    filter(blue_yellow, filters_.blue_yellow_narrow, filters_.blue_yellow_narrow_along, out_[3]);
+    const auto across = [&](int channel, const auto&... tasks) { filter_across(channel, y, wide, tasks...); };
+    const auto out = [&](std::size_t i) { return out_[i].data(); };
+    float *const first = across_[0].data(), *const second = across_[1].data(), *const third = across_[2].data();
+    across(luminance, FilterTask{filters_.luminance, first});
+    filter_along(first, width, FilterTask{filters_.luminance, out(0)});
+    across(red_green, FilterTask{filters_.red_green, first});
+    filter_along(first, width, FilterTask{filters_.red_green, out(1)});
+    across(blue_yellow, FilterTask{filters_.blue_yellow_wide, first}, FilterTask{filters_.blue_yellow_narrow, second});
+    filter_along(first, width, FilterTask{filters_.blue_yellow_wide_along, out(2)});
+    filter_along(second, width, FilterTask{filters_.blue_yellow_narrow_along, out(3)});
     for (int i = 0; i < width; ++i) out_[2][i] += out_[3][i];
 
-    filter_across(luminance, filters_.smooth, y, wide, across_[0]);
-    filter_across(luminance, filters_.edge, y, wide, across_[1]);
-    filter_across(luminance, filters_.point, y, wide, across_[2]);
-    filter_along(filters_.edge, across_[0], width, out_[3]);
-    filter_along(filters_.smooth, across_[1], width, out_[4]);
-    filter_along(filters_.point, across_[0], width, out_[5]);
-    filter_along(filters_.smooth, across_[2], width, out_[6]);
+    across(luminance, FilterTask{filters_.smooth, first}, FilterTask{filters_.edge, second},
+           FilterTask{filters_.point, third});
+    filter_along(first, width, FilterTask{filters_.edge, out(3)}, FilterTask{filters_.point, out(5)});
+    filter_along(second, width, FilterTask{filters_.smooth, out(4)});
+    filter_along(third, width, FilterTask{filters_.smooth, out(6)});
     to_hunt_lab({out_[0].data(), out_[1].data(), out_[2].data()}, width);
     const auto lengths = [width](float* __restrict x, const float* __restrict y_part) {
-      for (int i = 0; i < width; ++i) x[i] = std::sqrt(x[i] * x[i] + y_part[i] * y_part[i]);
+      for (int i = 0; i < width; ++i) x[i] = std::sqrt(multiply_add(x[i], x[i], y_part[i] * y_part[i]));
     };
     lengths(out_[3].data(), out_[4].data());
     lengths(out_[5].data(), out_[6].data());
@@ -118,14 +106,19 @@ class Window {
     return &planes_[static_cast<std::size_t>(channel)][static_cast<std::size_t>(slot) * stride_];
   }
 
-  void filter_across(int channel, const HalfKernel& kernel, int y, int wide, std::vector<float>& out) {
+  template <typename... Tasks>
+  void filter_across(int channel, int y, int wide, const Tasks&... tasks) {
+    const int radius = std::max({tasks.kernel.radius()...});
     rows_.clear();
-    for (int k = -kernel.radius(); k <= kernel.radius(); ++k) rows_.push_back(row(channel, y + k));
-    filter_across_rows(kernel, rows_, out.data(), wide);
+    for (int k = -radius; k <= radius; ++k) rows_.push_back(row(channel, y + k));
+    const FilterTask list[] = {tasks...};
+    filter_across_rows(list, rows_, wide);
   }
 
-  void filter_along(const HalfKernel& kernel, const std::vector<float>& in, int width, std::vector<float>& out) {
-    filter_along_row(kernel, in.data() + filters_.radius, out.data(), width);
+  template <typename... Tasks>
+  void filter_along(const float* in, int width, const Tasks&... tasks) {
+    const FilterTask list[] = {tasks...};
+    filter_along_row(list, in + filters_.radius, width);
   }
 
   /// `wide` pixels of row y from x0 on; before and after the image its outermost ones.
@@ -133,7 +126,7 @@ class Window {
     const int first = std::clamp(-x0, 0, wide), last = std::clamp(image_.width - x0, first, wide);
     const float* const pixels = image_.pixel(x0 + first, y);
     const std::array<float*, 3> out = {&colors_[0][first], &colors_[1][first], &colors_[2][first]};
-    image_.channels == 4 ? split_channels<4>(pixels, last - first, out) : split_channels<3>(pixels, last - first, out);
+    split_colors(pixels, image_.channels, last - first, out);
     for (std::vector<float>& row : colors_) {
       to_screen(row.data() + first, last - first);
       std::fill(row.begin(), row.begin() + first, row[first]);
@@ -165,9 +158,9 @@ class Differ {
     const float *lb = b.lightness(), *rb = b.red_green(), *yb = b.blue_yellow(), *eb = b.edges(), *pb = b.points();
     for (int i = 0; i < width; ++i) {
       const float dr = ra[i] - rb[i], dy = ya[i] - yb[i];
-      const float distance = std::abs(la[i] - lb[i]) + std::sqrt(dr * dr + dy * dy);
+      const float distance = std::abs(la[i] - lb[i]) + std::sqrt(multiply_add(dr, dr, dy * dy));
       const float power = fast_pow(distance, color_exponent);
-      const float color = power < low ? power * slope : knee_height + (power - low) * upper_slope;
+      const float color = power < low ? power * slope : multiply_add(power - low, upper_slope, knee_height);
       const float edge = std::abs(ea[i] - eb[i]), point = std::abs(pa[i] - pb[i]);
       // Features differ by sqrt 2 at the most; the paper's exponent is 1/2.
       const float feature = std::sqrt((edge > point ? edge : point) * 0.70710678f);
@@ -211,6 +204,8 @@ void mark_non_finite(const ImagePair& pair, Image& map) {
   const int channels = pair.a.channels;
   for_each_row(pair.height(), [&](int y) {
     const float *a = pair.a.pixel(0, y), *b = pair.b.pixel(0, y);
+    const auto count = static_cast<std::size_t>(pair.width()) * static_cast<std::size_t>(channels);
+    if (is_finite_row(a, count) && is_finite_row(b, count)) return;
     for (int x = 0; x < pair.width(); ++x)
       for (int c = 0; c < 3; ++c)
         if (std::abs(difference(a[x * channels + c], b[x * channels + c])) == infinity) *map.pixel(x, y) = 1;

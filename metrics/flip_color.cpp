@@ -20,20 +20,21 @@ constexpr WhiteXyz x_row = make_row(0.4123908, 0.3575843, 0.1804808);
 constexpr WhiteXyz y_row = make_row(0.2126390, 0.7151687, 0.0721923);
 constexpr WhiteXyz z_row = make_row(0.0193308, 0.1191948, 0.9505322);
 
-float dot(const WhiteXyz& row, float red, float green, float blue) {
-  return row.red * red + row.green * green + row.blue * blue;
+/// Loops are vectorised only if all that they call is inlined.
+[[gnu::always_inline]] inline float dot(const WhiteXyz& row, float red, float green, float blue) {
+  return multiply_add(row.red, red, multiply_add(row.green, green, row.blue * blue));
 }
 
 /// The inverse: linear Rec.709 of X, Y, Z over white. Columns of glm matrices come first.
 const glm::dmat3 to_rgb = glm::inverse(glm::transpose(glm::dmat3(
     x_row.red, x_row.green, x_row.blue, y_row.red, y_row.green, y_row.blue, z_row.red, z_row.green, z_row.blue)));
 
-float unit(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
+[[gnu::always_inline]] inline float unit(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
 
 /// CIE 15: the cube root, with a straight line near black.
-float lab_curve(float t) {
+[[gnu::always_inline]] inline float lab_curve(float t) {
   constexpr float delta = 6 / 29.0f;
-  const float root = fast_cbrt(t), line = t * (1 / (3 * delta * delta)) + 4 / 29.0f;
+  const float root = fast_cbrt(t), line = multiply_add(t, 1 / (3 * delta * delta), 4 / 29.0f);
   return t > delta * delta * delta ? root : line;
 }
 
@@ -59,13 +60,13 @@ void to_hunt_lab(const OpponentRow& row, int count) {
   const Mat3 m(to_rgb);
   for (int i = 0; i < count; ++i) {
     const float y = luminance[i], x = red_green[i] + y, z = y - blue_yellow[i];
-    const float red = unit(m[0].x * x + m[1].x * y + m[2].x * z);
-    const float green = unit(m[0].y * x + m[1].y * y + m[2].y * z);
-    const float blue = unit(m[0].z * x + m[1].z * y + m[2].z * z);
+    const float red = unit(multiply_add(m[0].x, x, multiply_add(m[1].x, y, m[2].x * z)));
+    const float green = unit(multiply_add(m[0].y, x, multiply_add(m[1].y, y, m[2].y * z)));
+    const float blue = unit(multiply_add(m[0].z, x, multiply_add(m[1].z, y, m[2].z * z)));
     const float fx = lab_curve(dot(x_row, red, green, blue));
     const float fy = lab_curve(dot(y_row, red, green, blue));
     const float fz = lab_curve(dot(z_row, red, green, blue));
-    const float lightness = 116 * fy - 16, hunt = 0.01f * lightness;
+    const float lightness = multiply_add(116, fy, -16), hunt = 0.01f * lightness;
     luminance[i] = lightness;
     red_green[i] = hunt * (500 * (fx - fy));
     blue_yellow[i] = hunt * (200 * (fy - fz));

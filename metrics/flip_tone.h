@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "metrics/fast_math.h"
+
 namespace candil {
 
 /// Narkowicz's fit of the ACES curve (2016), with the 0.6 of exposure that makes it comparable to others:
@@ -13,7 +15,7 @@ inline constexpr std::array<double, 5> aces = {0.36 * 2.51, 0.6 * 0.03, 0.36 * 2
 inline float aces_curve(float x) {
   constexpr float a = static_cast<float>(aces[0]), b = static_cast<float>(aces[1]), c = static_cast<float>(aces[2]);
   constexpr float d = static_cast<float>(aces[3]), e = static_cast<float>(aces[4]);
-  const float y = x * (a * x + b) / (x * (c * x + d) + e);
+  const float y = x * multiply_add(a, x, b) / multiply_add(x, multiply_add(c, x, d), e);
   return y < 1 ? y : 1.0f;
 }
 

@@ -28,22 +28,63 @@ void visit_selected(const Image& map, const PixelSelection& selection, int y, co
     if (selection.contains(i)) visit(map.pixels[i]);
 }
 
-/// Counts of the upper 16 bits. Whole bands of rows share a table: their sum is the same in any order.
-std::vector<std::size_t> count_upper_halves(const Image& map, const PixelSelection& selection) {
-  constexpr std::size_t halves = std::size_t{1} << 16;
+constexpr std::size_t halves = std::size_t{1} << 16;
+
+/// A table of `size` counts, added up over all pixels: `count` adds those of a value to it. Whole bands of rows share a
+/// table: their sum is the same in any order.
+template <typename Count>
+std::vector<std::size_t> count_values(const Image& map, const PixelSelection& selection, std::size_t size,
+                                      const Count& count) {
   constexpr int band = 512;
   const int bands = (map.height + band - 1) / band;
   std::vector<std::vector<std::uint32_t>> counts(static_cast<std::size_t>(bands));
   for_each_part(bands, [&](int i) {
     std::vector<std::uint32_t>& mine = counts[static_cast<std::size_t>(i)];
-    mine.resize(halves);
+    mine.resize(size);
     for (int y = i * band; y < std::min((i + 1) * band, map.height); ++y)
-      visit_selected(map, selection, y, [&](float value) { ++mine[sortable_bits(value) >> 16]; });
+      visit_selected(map, selection, y, [&](float value) { count(sortable_bits(value), mine.data()); });
   });
-  std::vector<std::size_t> total(halves);
+  std::vector<std::size_t> total(size);
   for (const auto& part : counts)
-    for (std::size_t k = 0; k < halves; ++k) total[k] += part[k];
+    for (std::size_t k = 0; k < size; ++k) total[k] += part[k];
   return total;
+}
+
+/// The entry that holds this place of the sorted list, which becomes the place among those of the entry.
+std::size_t find_rank(std::span<const std::size_t> counts, std::size_t& rank) {
+  std::size_t entry = 0;
+  while (rank >= counts[entry]) rank -= counts[entry++];
+  return entry;
+}
+
+/// Tables are 64 K counts: some ranks at a time.
+constexpr std::size_t most_ranks = 16;
+
+std::vector<float> some_order_statistics(const Image& map, const PixelSelection& selection,
+                                         std::span<const std::size_t> ranks) {
+  // First by the upper 16 bits of values, then by the lower ones of those that have the upper ones of an answer.
+  const std::vector<std::size_t> uppers =
+      count_values(map, selection, halves, [](std::uint32_t bits, std::uint32_t* counts) { ++counts[bits >> 16]; });
+  std::vector<std::size_t> rests(ranks.begin(), ranks.end()), answers, tables;
+  constexpr std::uint8_t no_table = most_ranks;
+  std::vector<std::uint8_t> table_of(halves, no_table);
+  for (std::size_t& rest : rests) {
+    answers.push_back(find_rank(uppers, rest));
+    std::uint8_t& table = table_of[answers.back()];
+    if (table == no_table) table = static_cast<std::uint8_t>(tables.size()), tables.push_back(answers.back());
+  }
+  const std::vector<std::size_t> lowers =
+      count_values(map, selection, halves * tables.size(), [&](std::uint32_t bits, std::uint32_t* counts) {
+        const std::size_t table = table_of[bits >> 16];
+        if (table != no_table) ++counts[table * halves + (bits & 0xffffu)];
+      });
+  std::vector<float> values;
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    const std::span table = std::span(lowers).subspan(table_of[answers[i]] * halves, halves);
+    const std::size_t lower = find_rank(table, rests[i]);
+    values.push_back(value_of_bits(static_cast<std::uint32_t>(answers[i] << 16 | lower)));
+  }
+  return values;
 }
 
 }  // namespace
@@ -60,22 +101,11 @@ double map_mean(const Image& map, const PixelSelection& selection) {
 
 std::vector<float> map_order_statistics(const Image& map, const PixelSelection& selection,
                                         std::span<const std::size_t> ranks) {
-  const std::vector<std::size_t> counts = count_upper_halves(map, selection);
-  std::vector<float> values(ranks.size());
-  for_each_part(static_cast<int>(ranks.size()), [&](int i) {
-    std::size_t rank = ranks[static_cast<std::size_t>(i)];
-    std::uint32_t upper = 0;
-    while (rank >= counts[upper]) rank -= counts[upper++];
-    std::vector<std::uint32_t> candidates;
-    candidates.reserve(counts[upper]);
-    for (int y = 0; y < map.height; ++y)
-      visit_selected(map, selection, y, [&](float value) {
-        const std::uint32_t bits = sortable_bits(value);
-        if (bits >> 16 == upper) candidates.push_back(bits);
-      });
-    std::ranges::nth_element(candidates, candidates.begin() + static_cast<std::ptrdiff_t>(rank));
-    values[static_cast<std::size_t>(i)] = value_of_bits(candidates[rank]);
-  });
+  std::vector<float> values;
+  for (std::size_t i = 0; i < ranks.size(); i += most_ranks) {
+    const std::span some = ranks.subspan(i, std::min(most_ranks, ranks.size() - i));
+    for (const float value : some_order_statistics(map, selection, some)) values.push_back(value);
+  }
   return values;
 }
 

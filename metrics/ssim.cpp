@@ -6,6 +6,7 @@
 
 #include "metrics/fast_math.h"
 #include "metrics/parallel_rows.h"
+#include "metrics/pixel_rows.h"
 #include "metrics/row_filter.h"
 
 namespace candil {
@@ -15,60 +16,87 @@ constexpr int radius = 5;
 constexpr double sigma = 1.5;
 
 /// Values outside of [0, 1] are cut; NaN is 0.
-float unit(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
+[[gnu::always_inline]] inline float unit(float v) { return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; }
 
-float encode(float linear) {
+[[gnu::always_inline]] inline float encode(float linear) {
   const float curve = 1.055f * fast_pow(linear, 1 / 2.4f) - 0.055f;
   return linear <= 0.0031308f ? 12.92f * linear : curve;
 }
 
-/// Rows of luma with room for the window on both sides, filled with zeros.
-class Luma {
- public:
-  Luma(const Image& image, ValueKind kind)
-      : stride_(image.width + 2 * radius), values_(static_cast<std::size_t>(stride_) * image.height) {
-    for_each_row(image.height, [&](int y) {
-      const float* const pixels = image.pixel(0, y);
-      const int channels = image.channels;
-      float* const out = row(y) + radius;
-      constexpr std::array<float, 3> weights = {0.2126f, 0.7152f, 0.0722f};
-      for (int c = 0; c < 3; ++c) {
-        const float weight = weights[static_cast<std::size_t>(c)];
-        if (kind == ValueKind::linear)
-          for (int x = 0; x < image.width; ++x) out[x] += weight * encode(unit(pixels[x * channels + c]));
-        else
-          for (int x = 0; x < image.width; ++x) out[x] += weight * unit(pixels[x * channels + c]);
-      }
-    });
-  }
-
-  int stride() const { return stride_; }
-  const float* row(int y) const { return &values_[static_cast<std::size_t>(y) * stride_]; }
-
- private:
-  float* row(int y) { return &values_[static_cast<std::size_t>(y) * stride_]; }
-
-  int stride_;
-  std::vector<float> values_;
-};
+void write_luma(const Image& image, ValueKind kind, int y, const std::array<float*, 3>& colors, float* __restrict out) {
+  split_colors(image.pixel(0, y), image.channels, image.width, colors);
+  const float* const red = colors[0];
+  const float* const green = colors[1];
+  const float* const blue = colors[2];
+  const auto luma = [](float r, float g, float b) {
+    return multiply_add(0.2126f, r, multiply_add(0.7152f, g, 0.0722f * b));
+  };
+  if (kind == ValueKind::linear)
+    for (int x = 0; x < image.width; ++x)
+      out[x] = luma(encode(unit(red[x])), encode(unit(green[x])), encode(unit(blue[x])));
+  else
+    for (int x = 0; x < image.width; ++x) out[x] = luma(unit(red[x]), unit(green[x]), unit(blue[x]));
+}
 
 /// Weighted sums of a, b, a^2, b^2 and ab.
 using Moments = std::array<std::vector<float>, 5>;
 
-void add_row(Moments& moments, float weight, const float* __restrict a, const float* __restrict b, int count) {
-  float* const __restrict sum_a = moments[0].data();
-  float* const __restrict sum_b = moments[1].data();
-  float* const __restrict sum_aa = moments[2].data();
-  float* const __restrict sum_bb = moments[3].data();
-  float* const __restrict sum_ab = moments[4].data();
-  for (int i = 0; i < count; ++i) {
-    sum_a[i] += weight * a[i];
-    sum_b[i] += weight * b[i];
-    sum_aa[i] += weight * (a[i] * a[i]);
-    sum_bb[i] += weight * (b[i] * b[i]);
-    sum_ab[i] += weight * (a[i] * b[i]);
+/// What is summed up, for the rows around the one under way. Beyond the image there are zeros.
+class Window {
+ public:
+  explicit Window(const ImagePair& pair) : pair_(pair), stride_(pair.width() + 2 * radius) {
+    const auto wide = static_cast<std::size_t>(stride_);
+    for (std::vector<float>& row : colors_) row.resize(static_cast<std::size_t>(pair.width()));
+    for (std::vector<float>& plane : planes_) plane.resize(wide * span);
+    across_.resize(wide);
+    for (std::vector<float>& row : sums_) row.resize(static_cast<std::size_t>(pair.width()));
   }
-}
+
+  void push_row(int y) {
+    const int width = pair_.width();
+    std::array<float*, 5> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = row(i, y) + radius;
+    if (y < 0 || y >= pair_.height()) {
+      for (float* const values : rows) std::fill_n(values, width, 0.0f);
+      return;
+    }
+    const std::array<float*, 3> colors = {colors_[0].data(), colors_[1].data(), colors_[2].data()};
+    write_luma(pair_.a, pair_.kind, y, colors, rows[0]);
+    write_luma(pair_.b, pair_.kind, y, colors, rows[1]);
+    const auto multiply = [width](const float* a, const float* b, float* __restrict out) {
+      for (int x = 0; x < width; ++x) out[x] = a[x] * b[x];
+    };
+    multiply(rows[0], rows[0], rows[2]);
+    multiply(rows[1], rows[1], rows[3]);
+    multiply(rows[0], rows[1], rows[4]);
+  }
+
+  /// Rows up to the radius around row y have been pushed.
+  const Moments& filter_row(const HalfKernel& kernel, int y) {
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      std::array<const float*, span> rows;
+      for (int k = 0; k < span; ++k) rows[static_cast<std::size_t>(k)] = row(i, y + k - radius);
+      filter_across_rows(kernel, rows, across_.data(), stride_);
+      filter_along_row(kernel, across_.data() + radius, sums_[i].data(), pair_.width());
+    }
+    return sums_;
+  }
+
+ private:
+  static constexpr int span = 2 * radius + 1;
+
+  float* row(std::size_t plane, int y) {
+    const int slot = (y + span) % span;  // y is -radius at the least
+    return &planes_[plane][static_cast<std::size_t>(slot) * static_cast<std::size_t>(stride_)];
+  }
+
+  const ImagePair& pair_;
+  int stride_;
+  std::array<std::vector<float>, 3> colors_;
+  Moments planes_;  // row y in slot y mod span
+  std::vector<float> across_;
+  Moments sums_;
+};
 
 /// What is left of the window's weights around each place of `count`.
 std::vector<float> weight_sums(const HalfKernel& kernel, int count) {
@@ -102,6 +130,8 @@ void indices(const Moments& moments, const std::vector<float>& scale, float row_
 void mark_non_finite(const ImagePair& pair, int y, float* out) {
   const int channels = pair.a.channels;
   const float *a = pair.a.pixel(0, y), *b = pair.b.pixel(0, y);
+  const auto count = static_cast<std::size_t>(pair.width()) * static_cast<std::size_t>(channels);
+  if (is_finite_row(a, count) && is_finite_row(b, count)) return;
   for (int x = 0; x < pair.width(); ++x)
     for (int c = 0; c < 3; ++c)
       if (std::abs(difference(a[x * channels + c], b[x * channels + c])) == infinity) out[x] = 0;
@@ -110,22 +140,24 @@ void mark_non_finite(const ImagePair& pair, int y, float* out) {
 }  // namespace
 
 Image measure_ssim(const ImagePair& pair) {
-  const Luma a(pair.a, pair.kind), b(pair.b, pair.kind);
   const HalfKernel kernel = gaussian_kernel(sigma, radius);
   std::vector<float> scale = weight_sums(kernel, pair.width());
   for (float& weight : scale) weight = 1 / weight;
   const std::vector<float> row_weights = weight_sums(kernel, pair.height());
   Image map(pair.width(), pair.height(), 1);
-  for_each_row(pair.height(), [&](int y) {
-    Moments across, sums;
-    for (std::vector<float>& row : across) row.assign(static_cast<std::size_t>(a.stride()), 0.0f);
-    for (std::vector<float>& row : sums) row.resize(static_cast<std::size_t>(pair.width()));
-    for (int k = std::max(-radius, -y); k <= std::min(radius, pair.height() - 1 - y); ++k)
-      add_row(across, kernel.weights[static_cast<std::size_t>(std::abs(k))], a.row(y + k), b.row(y + k), a.stride());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      filter_along_row(kernel, across[i].data() + radius, sums[i].data(), pair.width());
-    indices(sums, scale, 1 / row_weights[static_cast<std::size_t>(y)], map.pixel(0, y));
-    mark_non_finite(pair, y, map.pixel(0, y));
+  // Bands of rows, each on one core; what lies around them is made anew for each.
+  constexpr int band = 72;
+  for_each_part((pair.height() + band - 1) / band, [&](int i) {
+    Window window(pair);
+    const int first = i * band, last = std::min(first + band, pair.height());
+    for (int y = first - radius; y < last + radius; ++y) {
+      window.push_row(y);
+      const int done = y - radius;
+      if (done < first) continue;
+      float* const out = map.pixel(0, done);
+      indices(window.filter_row(kernel, done), scale, 1 / row_weights[static_cast<std::size_t>(done)], out);
+      mark_non_finite(pair, done, out);
+    }
   });
   return map;
 }

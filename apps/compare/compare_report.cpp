@@ -1,8 +1,10 @@
 #include "apps/compare/compare_report.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -15,6 +17,7 @@
 #include "core/color.h"
 #include "io/image_file.h"
 #include "metrics/color_map.h"
+#include "metrics/parallel_rows.h"
 
 namespace candil {
 namespace {
@@ -66,17 +69,18 @@ Range data_range(const ReportLayer& layer) {
 /// For browsers that run no scripts, and of 8-bit images the values themselves.
 Image picture_of(const ReportLayer& layer, const Image& image, const Range& range) {
   Image picture(image.width, image.height, 3);
-  const auto channels = static_cast<std::size_t>(image.channels);
-  for (std::size_t i = 0; i < picture.pixels.size() / 3; ++i)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float value = image.pixels[i * channels + (channels < 3 ? 0 : c)];
-      float& out = picture.pixels[3 * i + c];
-      if (layer.kind == ValueKind::data)
-        out = (value - range.low) / std::max(range.high - range.low, 1e-30f);
-      else
-        out = layer.kind == ValueKind::linear ? linear_to_srgb(std::clamp(value, 0.0f, 1.0f)) : value;
-      if (!(out > 0)) out = 0;
-    }
+  for_each_row(image.height, [&](int y) {
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float value = image.pixel(x, y)[image.channels < 3 ? 0 : c];
+        float& out = picture.pixel(x, y)[c];
+        if (layer.kind == ValueKind::data)
+          out = (value - range.low) / std::max(range.high - range.low, 1e-30f);
+        else
+          out = layer.kind == ValueKind::linear ? linear_to_srgb(std::clamp(value, 0.0f, 1.0f)) : value;
+        if (!(out > 0)) out = 0;
+      }
+  });
   return picture;
 }
 
@@ -106,6 +110,9 @@ std::string encode_values(const ReportLayer& layer, const Image& image) {
   return to_base64(std::as_bytes(std::span(halves)));
 }
 
+/// Noise hardly gets smaller by trying harder, and a report is waited for.
+constexpr int png_level = 2;
+
 std::string image_element(const char* what, std::size_t index, const Image& picture) {
   return fmt::format(
       "<figure><figcaption>{0}</figcaption><img id=\"picture-{1}{2}\" alt=\"{0}\" "
@@ -113,7 +120,7 @@ std::string image_element(const char* what, std::size_t index, const Image& pict
       std::string_view(what) == "map" ? "Heat map"
       : std::string_view(what) == "a" ? "A"
                                       : "B",
-      what, index, to_base64(encode_png(picture, false)));
+      what, index, to_base64(encode_png(picture, false, png_level)));
 }
 
 std::string histogram_svg(const ReportLayer& layer) {
@@ -140,9 +147,11 @@ std::string layer_section(const Report& report, std::size_t index, const Range& 
   const ReportLayer& layer = report.layers[index];
   std::string text =
       fmt::format("<section class=\"layer\"><h2>{}</h2>\n<div class=\"pictures\">\n", escape(layer.name));
-  text += image_element("a", index, picture_of(layer, layer.a, range));
-  text += image_element("b", index, picture_of(layer, layer.b, range));
-  text += image_element("map", index, heat_map(layer.map, layer.map_largest));
+  std::array<std::string, 3> elements;
+  tbb::parallel_invoke([&] { elements[0] = image_element("a", index, picture_of(layer, layer.a, range)); },
+                       [&] { elements[1] = image_element("b", index, picture_of(layer, layer.b, range)); },
+                       [&] { elements[2] = image_element("map", index, heat_map(layer.map, layer.map_largest)); });
+  for (const std::string& element : elements) text += element;
   text += "</div>\n" + histogram_svg(layer) + "<table>\n";
   for (const ReportRow& row : report.rows[index])
     text += fmt::format("<tr{}><th>{}</th><td>{}</td></tr>\n", row.is_bad ? " class=\"bad\"" : "", escape(row.name),
@@ -163,7 +172,7 @@ json layer_data(const ReportLayer& layer, const Range& range) {
 }
 
 /// The template with its marks replaced; what is filled in is not looked at again.
-std::string fill_in(std::string_view text, const std::vector<std::pair<std::string_view, std::string>>& values) {
+std::string fill_in(std::string_view text, const std::vector<std::pair<std::string_view, std::string_view>>& values) {
   std::string filled;
   while (true) {
     const std::size_t begin = text.find("{{");
@@ -188,10 +197,14 @@ std::string make_report(const Report& report) {
     sections += layer_section(report, i, range);
     layers.push_back(layer_data(layer, range));
     if (is_picture(layer)) continue;
-    values +=
-        fmt::format("<script id=\"values-a{}\" type=\"text/plain\">{}</script>\n", i, encode_values(layer, layer.a));
-    values +=
-        fmt::format("<script id=\"values-b{}\" type=\"text/plain\">{}</script>\n", i, encode_values(layer, layer.b));
+    std::string values_a, values_b;
+    tbb::parallel_invoke([&] { values_a = encode_values(layer, layer.a); },
+                         [&] { values_b = encode_values(layer, layer.b); });
+    for (const auto& [letter, encoded] : {std::pair{'a', &values_a}, {'b', &values_b}}) {
+      values += fmt::format("<script id=\"values-{}{}\" type=\"text/plain\">", letter, i);
+      values += *encoded;
+      values += "</script>\n";
+    }
   }
   for (const std::string& note : report.notes) notes += "<li>" + escape(note) + "</li>";
   if (!notes.empty()) notes = "<ul class=\"notes\">" + notes + "</ul>";
@@ -199,7 +212,9 @@ std::string make_report(const Report& report) {
       fmt::format("<h1 class=\"{}\">{}</h1>", report.is_same ? "same" : "different", escape(report.verdict));
   const std::string names =
       fmt::format("<dt>A</dt><dd>{}</dd><dt>B</dt><dd>{}</dd>", escape(report.name_a), escape(report.name_b));
-  return fill_in(report_html, {{"title", escape(report.title)},
+  const std::string title = escape(report.title);
+  const std::string data = script_json({{"layers", layers}, {"colors", heat_colors()}});
+  return fill_in(report_html, {{"title", title},
                                {"css", report_css},
                                {"js", report_js},
                                {"heading", heading},
@@ -207,7 +222,7 @@ std::string make_report(const Report& report) {
                                {"notes", notes},
                                {"layers", sections},
                                {"values", values},
-                               {"data", script_json({{"layers", layers}, {"colors", heat_colors()}})}});
+                               {"data", data}});
 }
 
 }  // namespace candil

@@ -56,8 +56,8 @@ class Flip(unittest.TestCase):
             self.assertLess(difference.max(), TOLERANCE)
 
     def test_pairs(self):
-        for pair in flip_pairs.pairs():
-            self.check(*pair)
+        for name, is_linear, a, b in flip_pairs.pairs():
+            self.check(name, a, b, is_linear)
 
     def test_pictures(self):
         for path in PICTURES:

@@ -30,6 +30,18 @@ TEST(MapStatistics, QuantilesAreThoseOfTheSortedList) {
       (std::vector<float>{sorted[0], sorted[0], sorted[249], sorted[499], sorted[899], sorted[998], sorted[999]}));
 }
 
+// More at a time than there are tables for, in any order, and twice the same.
+TEST(MapStatistics, ManyRanksAtATime) {
+  const Image map = random_map(50, 20);
+  std::vector<float> sorted = map.pixels;
+  std::ranges::sort(sorted);
+  std::vector<std::size_t> ranks;
+  std::vector<float> wanted;
+  for (std::size_t i = 0; i < 50; ++i) ranks.push_back(i * 377 % 1000), ranks.push_back(i * 377 % 1000);
+  for (const std::size_t rank : ranks) wanted.push_back(sorted[rank]);
+  EXPECT_EQ(map_order_statistics(map, PixelSelection(50, 20), ranks), wanted);
+}
+
 TEST(MapStatistics, QuantilesOfTiesAndOfASelection) {
   Image map(4, 1, 1);
   map.pixels = {2, 1, 2, 7};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "metrics/fast_math.h"
@@ -49,6 +50,37 @@ TEST(RowFilter, IsTheSumOfItsWeightsForAnyLength) {
   }
 }
 
+TEST(RowFilter, SeveralTogetherAreTheSameAsOneByOne) {
+  HalfKernel antisymmetric = gaussian_kernel(2, 6);
+  antisymmetric.is_symmetric = false;
+  const HalfKernel wide = gaussian_kernel(3, 6), narrow = gaussian_kernel(1, 6), other_radius = gaussian_kernel(1, 4);
+  const std::vector<std::vector<const HalfKernel*>> sets = {{&wide, &narrow},
+                                                            {&antisymmetric, &wide},
+                                                            {&wide, &antisymmetric, &narrow},
+                                                            {&narrow, &antisymmetric},
+                                                            {&wide, &other_radius}};
+  for (const std::vector<const HalfKernel*>& kernels : sets)
+    for (const int count : {5, 40, 129}) {
+      const std::vector<float> values = ramp(count + 12);
+      std::vector<std::vector<float>> along(kernels.size(), std::vector<float>(static_cast<std::size_t>(count)));
+      std::vector<FilterTask> tasks;
+      for (std::size_t i = 0; i < kernels.size(); ++i) tasks.push_back({*kernels[i], along[i].data()});
+      filter_along_row(tasks, values.data() + 6, count);
+      for (std::size_t i = 0; i < kernels.size(); ++i) {
+        std::vector<float> alone(static_cast<std::size_t>(count));
+        filter_along_row(*kernels[i], values.data() + 6, alone.data(), count);
+        ASSERT_EQ(along[i], alone) << i << ' ' << count;
+      }
+
+      std::vector<const float*> rows;
+      for (int k = 0; k <= 12; ++k) rows.push_back(values.data() + k);
+      const std::vector<std::vector<float>> wanted = along;
+      for (std::vector<float>& row : along) std::ranges::fill(row, -1.0f);
+      filter_across_rows(tasks, rows, count);
+      ASSERT_EQ(along, wanted) << count;
+    }
+}
+
 TEST(RowFilter, GivesTheSameBitsWhereverAPixelLies) {
   const HalfKernel kernel = gaussian_kernel(3, 9);
   const std::vector<float> values = ramp(200);
@@ -71,7 +103,7 @@ TEST(RowFilter, GaussianKernelHasTheRatiosOfAGaussian) {
 TEST(FastMath, IsAsExactAsItSays) {
   for (double x = 1e-12; x < 1e9; x *= 1.0137) {
     const auto value = static_cast<float>(x);
-    ASSERT_NEAR(fast_cbrt(value) / std::cbrt(static_cast<double>(value)), 1, 3e-7) << x;
+    ASSERT_NEAR(fast_cbrt(value) / std::cbrt(static_cast<double>(value)), 1, 5e-7) << x;
     if (x > 0.25 && x < 4) {
       ASSERT_NEAR(fast_log2(value), std::log2(static_cast<double>(value)), 2e-7) << x;
     }
