@@ -8,16 +8,16 @@
 
 namespace candil {
 
-inline constexpr int max_bins = 16;
+inline constexpr int max_bins = 32;
 
 /// Which of `count` equal slices between the outermost centres a centre is in, along each axis.
 struct BinMapping {
   Float4 base, scale;
   int count;
 
-  BinMapping(FlippedBox centers, std::size_t primitives)
+  BinMapping(FlippedBox centers, std::size_t primitives, int bins)
       // Few primitives need few bins: sweeping over them would take longer than filling them.
-      : count(static_cast<int>(std::min<std::size_t>(max_bins, 4 + primitives / 4))) {
+      : count(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(bins), 4 + primitives / 4))) {
     for (int axis = 0; axis < 3; ++axis) {
       const float extent = centers.high(axis) - centers.low(axis);
       base[axis] = centers.low(axis);
@@ -30,16 +30,16 @@ struct BinMapping {
   Int4 operator()(const PrimitiveRef& ref) const {
     const Float8 center = doubled_center(ref.box()).v;
     const Float4 position = (__builtin_shufflevector(center, center, 4, 5, 6, 7) - base) * scale;
-    Int4 bin = __builtin_convertvector(position, Int4);
-    const Int4 last = Int4{} + (count - 1);
-    bin = bin > last ? last : bin;
-    return bin < 0 ? Int4{} : bin;
+    const Float4 last = splat(static_cast<float>(count - 1));
+    const Float4 above = position > 0 ? position : splat(0);  // also what is not a number
+    return __builtin_convertvector(above < last ? above : last, Int4);
   }
   /// The same along one axis.
   int operator()(const PrimitiveRef& ref, int axis) const {
     const float* lanes = reinterpret_cast<const float*>(&ref);
     const float position = (lanes[4 + axis] - lanes[axis] - base[axis]) * scale[axis];
-    return std::max(0, std::min(static_cast<int>(position), count - 1));
+    const float last = static_cast<float>(count - 1), above = position > 0 ? position : 0;
+    return static_cast<int>(above < last ? above : last);
   }
 };
 
@@ -85,7 +85,7 @@ class Bins {
       size += sizes(i);
       right_cost[i] = size * half_areas(x, y, z);  // infinity times 0, not a number, where the right side is empty
     }
-    Float4 least = splat(infinity), least_bin = splat(0), least_size = splat(0);
+    Float4 least = splat(infinity), least_bin = splat(0);
     x = y = z = FlippedBox(), size = splat(0);
     for (int i = 1; i < count_; ++i) {
       x.add(boxes_[0][i - 1]), y.add(boxes_[1][i - 1]), z.add(boxes_[2][i - 1]);
@@ -94,17 +94,16 @@ class Bins {
       const auto is_less = cost < least;  // never for what is not a number
       least = is_less ? cost : least;
       least_bin = is_less ? splat(static_cast<float>(i)) : least_bin;
-      least_size = is_less ? size : least_size;
     }
     BinSplit best;
     for (int axis = 0; axis < 3; ++axis) {
       if (!(least[axis] < best.cost) || mapping.scale[axis] == 0) continue;
       best.cost = least[axis], best.axis = axis;
-      best.bin = static_cast<int>(least_bin[axis]), best.left_count = static_cast<std::uint32_t>(least_size[axis]);
+      best.bin = static_cast<int>(least_bin[axis]);
     }
     return best;
   }
-  /// The boxes of both sides, and the exact number of the left one.
+  /// Fills in what best_split() leaves out: the boxes of both sides and the number of the left one.
   void measure(BinSplit& split) const {
     split.left_count = 0;
     for (int i = 0; i < count_; ++i) {

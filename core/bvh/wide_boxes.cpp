@@ -10,7 +10,7 @@ WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality
     refs[i] = PrimitiveRef(FlippedBox(boxes[i]), static_cast<std::uint32_t>(i));
   }
   // An item costs more than a few nodes, and its own box should decide whether it is looked into.
-  WideTree tree = build_wide_tree({refs.data(), refs.size()}, {.leaf = 4, .max_leaf_size = 1}, 1);
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, {.leaf_cost = 4, .max_leaf_size = 1, .unsplit_size = 1});
   tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t i) {
     for (std::uint32_t& child : tree.nodes[i].child) {
       const std::uint32_t leaf = child ^ WideNode::leaf_bit;
