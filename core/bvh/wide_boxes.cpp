@@ -4,7 +4,8 @@
 
 namespace candil {
 
-WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
+template <typename Node>
+WideBoxes<Node> WideBoxes<Node>::build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
   LargeBuffer<PrimitiveRef> refs(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     refs[i] = PrimitiveRef(FlippedBox(boxes[i]), static_cast<std::uint32_t>(i));
@@ -20,9 +21,12 @@ WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality
     }
   });
   WideBoxes result;
-  result.nodes_ = std::move(tree.nodes);
+  result.nodes_ = nodes_from<Node>(std::move(tree.nodes));
   result.bounds_ = tree.bounds;
   return result;
 }
+
+template class WideBoxes<WideNode>;
+template class WideBoxes<CompactNode>;
 
 }  // namespace candil

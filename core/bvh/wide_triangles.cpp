@@ -25,7 +25,8 @@ TreeSettings tree_settings(BuildQuality quality) {
 
 }  // namespace
 
-WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality quality) {
+template <typename Node>
+WideTriangles<Node> WideTriangles<Node>::build(std::span<const MeshPart> parts, BuildQuality quality) {
   WideTriangles result;
   std::size_t count = 0;
   for (const MeshPart& part : parts) {
@@ -70,9 +71,12 @@ WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality
       }
     }
   });
-  result.nodes_ = std::move(tree.nodes);
+  result.nodes_ = nodes_from<Node>(std::move(tree.nodes));
   result.bounds_ = tree.bounds;
   return result;
 }
+
+template class WideTriangles<WideNode>;
+template class WideTriangles<CompactNode>;
 
 }  // namespace candil
