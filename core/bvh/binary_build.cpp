@@ -68,13 +68,11 @@ class Builder {
   /// The primitives of `range` are in refs_, or in scratch_ if `is_in_scratch`; afterwards they are in refs_.
   void build(const Range& range, std::uint32_t index, int depth, bool is_in_scratch, NodeSource& source) {
     BinaryNode& node = nodes_[index];
-    node.box_and_range = range.box.v;
-    node.box_and_range[3] = std::bit_cast<float>(range.first);
-    node.box_and_range[7] = std::bit_cast<float>(range.count);
+    node.set(range.box, range.first, range.count);
     if (range.count <= settings_.unsplit_size) {
       if (is_in_scratch) std::copy_n(&scratch_[range.first], range.count, &refs_[range.first]);
       node.left = 0;
-      std::fill_n(node.cost, 7, node.leaf_cost(settings_));
+      node.cost = leaf_costs(range.box, range.count, settings_);
       return;
     }
     const Halves halves = split(range, depth, is_in_scratch);
@@ -90,7 +88,7 @@ class Builder {
       build(halves.left, left, depth + 1, !is_in_scratch, source);
       build(halves.right, left + 1, depth + 1, !is_in_scratch, source);
     }
-    set_costs(node);
+    node.cost = inner_costs(range.box, range.count, nodes_[left].cost, nodes_[left + 1].cost, settings_);
   }
 
   /// Moves the primitives over to the other array, the left ones to its front.
@@ -188,26 +186,25 @@ class Builder {
     halves.left.centers = centers[0], halves.right.centers = centers[1];
   }
 
-  /// From those of the children: with i children of one wide node to spend, give k to the left and the rest to the
-  /// right; with one, be a leaf or a wide node of eight.
-  void set_costs(BinaryNode& node) const {
-    const float(&a)[7] = nodes_[node.left].cost;
-    const float(&b)[7] = nodes_[node.left + 1].cost;
-    const auto least = [&](int children) {
-      float cost = infinity;
-      for (int k = 1; k < children; ++k) cost = std::min(cost, a[k - 1] + b[children - k - 1]);
-      return cost;
-    };
-    node.cost[0] = std::min(node.leaf_cost(settings_), node.box().half_area() + least(8));
-    for (int i = 2; i <= 7; ++i) node.cost[i - 1] = std::min(node.cost[i - 2], least(i));
-  }
-
   BinaryNodes& nodes_;
   std::span<PrimitiveRef> refs_, scratch_;
   const TreeSettings& settings_;
 };
 
 }  // namespace
+
+CollapseCosts inner_costs(FlippedBox box, std::uint32_t count, const CollapseCosts& left, const CollapseCosts& right,
+                          const TreeSettings& settings) {
+  const auto least = [&](std::size_t children) {
+    float cost = infinity;
+    for (std::size_t k = 1; k < children; ++k) cost = std::min(cost, left[k - 1] + right[children - k - 1]);
+    return cost;
+  };
+  CollapseCosts costs;
+  costs[0] = std::min(leaf_cost(box, count, settings), box.half_area() + least(8));
+  for (std::size_t i = 2; i <= 7; ++i) costs[i - 1] = std::min(costs[i - 2], least(i));
+  return costs;
+}
 
 std::uint32_t BinaryNodes::new_chunk() {
   const std::uint32_t first = next_.fetch_add(chunk, std::memory_order_relaxed);

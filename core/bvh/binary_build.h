@@ -1,6 +1,7 @@
 /// A binary tree over boxes by the surface area heuristic: what a wide tree is collapsed from.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <span>
@@ -22,26 +23,45 @@ struct TreeSettings {
   std::uint32_t max_leaf_size = 8;
   /// So few primitives are not split any further: they become a leaf. With 1 the costs decide about leaves.
   std::uint32_t unsplit_size = 8;
-  int bins = 16;  ///< Per axis, at most max_bins.
+  int bins = 16;                ///< Per axis, at most max_bins.
+  bool moves_subtrees = false;  ///< See core/bvh/reinsertion.h.
 };
+
+/// Least cost of a subtree as at most i + 1 children of one wide node: Ylitie, Karras and Laine 2017, "Efficient
+/// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1.
+using CollapseCosts = std::array<float, 7>;
 
 /// One cache line.
 struct alignas(64) BinaryNode {
   /// Box; lane 3: the bits of the first primitive of the subtree, lane 7: those of their number.
   Float8 box_and_range;
   std::uint32_t left;  ///< Index of the first child, 0 for a leaf; the second child comes right behind.
-  /// Least cost of the subtree as at most i + 1 children of one wide node: Ylitie, Karras and Laine 2017, "Efficient
-  /// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1.
-  float cost[7];
+  CollapseCosts cost;
 
   FlippedBox box() const { return FlippedBox(box_and_range); }  ///< Its lanes 3 and 7 are meaningless.
   std::uint32_t first() const { return static_cast<std::uint32_t>(bits8(box_and_range)[3]); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(bits8(box_and_range)[7]); }
   bool is_leaf() const { return left == 0; }
-  float leaf_cost(const TreeSettings& settings) const {
-    return count() <= settings.max_leaf_size ? settings.leaf_cost * box().half_area() : infinity;
+  void set(FlippedBox box, std::uint32_t first, std::uint32_t count) {
+    box_and_range = box.v;
+    box_and_range[3] = std::bit_cast<float>(first);
+    box_and_range[7] = std::bit_cast<float>(count);
   }
 };
+
+/// Of any subtree as one leaf; infinity for too many primitives.
+inline float leaf_cost(FlippedBox box, std::uint32_t count, const TreeSettings& settings) {
+  return count <= settings.max_leaf_size ? settings.leaf_cost * box.half_area() : infinity;
+}
+inline CollapseCosts leaf_costs(FlippedBox box, std::uint32_t count, const TreeSettings& settings) {
+  CollapseCosts costs;
+  costs.fill(leaf_cost(box, count, settings));
+  return costs;
+}
+/// From those of the children: with i children of one wide node to spend, give k to the left and the rest to the right;
+/// with one, be a leaf or a wide node of eight.
+CollapseCosts inner_costs(FlippedBox box, std::uint32_t count, const CollapseCosts& left, const CollapseCosts& right,
+                          const TreeSettings& settings);
 
 /// Room for as many nodes as it takes, in pieces. How many a tree has is known at its end only, and memory that was
 /// touched for nothing costs more time than a node takes to fill.

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/bvh/reinsertion.h"
+
 namespace candil {
 namespace {
 
@@ -53,7 +55,8 @@ class Collapser {
   }
   bool is_leaf(const BinaryNode& node) const {
     // Costs may be infinite where boxes are very large.
-    return node.is_leaf() || (node.count() <= settings_.max_leaf_size && node.cost[0] == node.leaf_cost(settings_));
+    return node.is_leaf() ||
+           (node.count() <= settings_.max_leaf_size && node.cost[0] == leaf_cost(node.box(), node.count(), settings_));
   }
 
   void expand(Part& part, std::size_t at, std::uint32_t index, std::uint32_t postponed_size,
@@ -116,6 +119,7 @@ WideTree build_wide_tree(std::span<PrimitiveRef> refs, const TreeSettings& setti
   LargeBuffer<PrimitiveRef> scratch(refs.size());
   BinaryNodes binary(refs.size());
   build_binary_tree(binary, refs, {scratch.data(), scratch.size()}, settings);
+  if (settings.moves_subtrees) reinsert_subtrees(binary, refs, {scratch.data(), scratch.size()}, settings);
   const FlippedBox box = binary[0].box();
   tree.bounds = {Vec3(box.low(0), box.low(1), box.low(2)), Vec3(box.high(0), box.high(1), box.high(2))};
 

@@ -19,8 +19,9 @@ namespace candil {
 namespace {
 
 constexpr TreeSettings medium{};
-constexpr TreeSettings fine{.unsplit_size = 1, .bins = max_bins};
+constexpr TreeSettings fine{.unsplit_size = 1, .bins = max_bins, .moves_subtrees = true};
 constexpr TreeSettings single{.leaf_cost = 4, .max_leaf_size = 1, .unsplit_size = 1};
+constexpr TreeSettings fine_single{.leaf_cost = 4, .max_leaf_size = 1, .unsplit_size = 1, .moves_subtrees = true};
 
 std::vector<PrimitiveRef> make_refs(const std::vector<Bounds>& boxes) {
   std::vector<PrimitiveRef> refs;
@@ -85,7 +86,7 @@ class Inspector {
 };
 
 void expect_sound(const std::vector<Bounds>& boxes) {
-  for (const TreeSettings& settings : {medium, fine, single}) {
+  for (const TreeSettings& settings : {medium, fine, single, fine_single}) {
     std::vector<PrimitiveRef> refs = make_refs(boxes);
     const WideTree tree = build_wide_tree(refs, settings);
     const Inspector found(tree, refs, boxes);
