@@ -12,9 +12,9 @@ namespace {
 
 /// Each round looks for better places for the largest of all nodes: they are in the way of most rays. Rounds end when
 /// they gain less than this part of the cost.
-constexpr std::size_t parts_per_round = 8;
-constexpr int max_rounds = 12;
-constexpr double least_gain = 0.002;
+constexpr std::size_t parts_per_round = 2;
+constexpr int max_rounds = 40;
+constexpr double least_gain = 0.0005;
 
 /// In the order of a walk through the tree, which is the same wherever the nodes are in memory. Siblings are
 /// neighbours: 2 k and 2 k + 1; the root is 0, and 1 is not used.

@@ -20,7 +20,7 @@ TreeSettings tree_settings(BuildQuality quality) {
   TreeSettings settings;
   if (quality == BuildQuality::low) settings.bins = 8;
   if (quality == BuildQuality::high)
-    settings.bins = max_bins, settings.unsplit_size = 1, settings.moves_subtrees = true;
+    settings.bins = max_bins, settings.moves_subtrees = true;
   return settings;
 }
 
