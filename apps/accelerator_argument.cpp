@@ -23,8 +23,9 @@ std::vector<std::string> keys_of(AcceleratorKind kind) {
   switch (kind) {
     case AcceleratorKind::embree:
       return {"quality", "robust", "compact", "isa", "frequency"};
-    case AcceleratorKind::sah:
     case AcceleratorKind::wide:
+      return {"quality", "compact"};
+    case AcceleratorKind::sah:
       return {"quality"};
     case AcceleratorKind::report:
     case AcceleratorKind::brute:

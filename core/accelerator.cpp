@@ -17,6 +17,11 @@ namespace {
 /// In the order of AcceleratorKind.
 constexpr std::array names = {"embree", "report", "sah", "wide", "brute"};
 
+template <typename Node>
+std::unique_ptr<Accelerator> make_wide(const Scene& scene, HitFilter filter, BuildQuality quality) {
+  return std::make_unique<TwoLevelAccelerator<WideTriangles<Node>, WideBoxes<Node>>>(scene, filter, quality);
+}
+
 }  // namespace
 
 std::vector<std::string> accelerator_names() { return {names.begin(), names.end()}; }
@@ -38,7 +43,8 @@ std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filt
     case AcceleratorKind::sah:
       return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options.quality);
     case AcceleratorKind::wide:
-      return std::make_unique<TwoLevelAccelerator<WideTriangles, WideBoxes>>(scene, filter, options.quality);
+      if (options.is_compact) return make_wide<CompactNode>(scene, filter, options.quality);
+      return make_wide<WideNode>(scene, filter, options.quality);
     case AcceleratorKind::brute:
       return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options.quality);
   }

@@ -59,7 +59,7 @@ struct AcceleratorOptions {
   AcceleratorKind kind = AcceleratorKind::embree;
   BuildQuality quality = BuildQuality::medium;  ///< Of those that have a choice.
   bool is_robust = true;                        ///< Embree: no ray slips between two triangles of a closed mesh.
-  bool is_compact = false;                      ///< Embree: less memory, slower rays.
+  bool is_compact = false;                      ///< Embree: less memory, slower rays. Wide: nodes of 8-bit planes.
   std::string isa;              ///< Embree: the instruction set, as its documentation names them; empty: the best.
   std::string frequency_level;  ///< Embree: the widest vectors, "simd128" to "simd512"; empty: its own choice.
 };

@@ -5,7 +5,6 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
-#include <atomic>
 #include <vector>
 
 #include "core/bvh/binary_bins.h"
@@ -14,7 +13,7 @@ namespace candil {
 namespace {
 
 /// Ranges above this many primitives are binned and split by several threads, in chunks of a fixed size, so that the
-/// result does not depend on the threads; ranges above the second number become tasks.
+/// result does not depend on the threads; ranges above the last number become tasks.
 constexpr std::size_t parallel_split_size = 1 << 16, chunk_size = 1 << 14, task_size = 1 << 11;
 
 /// Primitives [first, first + count), with their boxes and doubled centres joined.
@@ -29,17 +28,11 @@ struct Halves {
 
 class Builder {
  public:
-  Builder(std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch, const WideCosts& costs,
-          std::uint32_t leaf_size)
-      : refs_(refs),
-        scratch_(scratch),
-        costs_(costs),
-        leaf_size_(leaf_size),
-        // No more than 2 n - 1 nodes are used, and every task leaves up to one unfinished chunk. What is never touched
-        // takes address space only.
-        nodes_(2 * refs.size() + (2 * refs.size() / task_size + 64) * 2 * NodeSource::chunk) {}
+  Builder(BinaryNodes& nodes, std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch,
+          const TreeSettings& settings)
+      : nodes_(nodes), refs_(refs), scratch_(scratch), settings_(settings) {}
 
-  LargeBuffer<BinaryNode> build() {
+  void build() {
     const auto whole = tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, refs_.size(), chunk_size), Range{0, 0, {}, {}},
         [&](const auto& part, Range range) {
@@ -54,20 +47,19 @@ class Builder {
           return a;
         });
     NodeSource source;
-    build({0, static_cast<std::uint32_t>(refs_.size()), whole.box, whole.centers}, 0, 0, false, source);
-    return std::move(nodes_);
+    const std::uint32_t root = new_pair(source);  // node 1 is not used
+    build({0, static_cast<std::uint32_t>(refs_.size()), whole.box, whole.centers}, root, 0, false, source);
   }
 
  private:
-  /// Hands out pairs of nodes to one task. Node 0 is the root, node 1 is not used.
+  /// Of one task.
   struct NodeSource {
-    static constexpr std::uint32_t chunk = 64;
     std::uint32_t next = 0, end = 0;
   };
   std::uint32_t new_pair(NodeSource& source) {
     if (source.next == source.end) {
-      source.next = next_chunk_.fetch_add(NodeSource::chunk, std::memory_order_relaxed);
-      source.end = source.next + NodeSource::chunk;
+      source.next = nodes_.new_chunk();
+      source.end = source.next + BinaryNodes::chunk;
     }
     source.next += 2;
     return source.next - 2;
@@ -76,28 +68,27 @@ class Builder {
   /// The primitives of `range` are in refs_, or in scratch_ if `is_in_scratch`; afterwards they are in refs_.
   void build(const Range& range, std::uint32_t index, int depth, bool is_in_scratch, NodeSource& source) {
     BinaryNode& node = nodes_[index];
-    node.box_and_range = range.box.v;
-    node.box_and_range[3] = std::bit_cast<float>(range.first);
-    node.box_and_range[7] = std::bit_cast<float>(range.count);
-    if (range.count <= leaf_size_) {
+    node.set(range.box, range.first, range.count);
+    if (range.count <= settings_.unsplit_size) {
       if (is_in_scratch) std::copy_n(&scratch_[range.first], range.count, &refs_[range.first]);
       node.left = 0;
-      std::fill_n(node.cost, 7, node.leaf_cost(costs_));
+      node.cost = leaf_costs(range.box, range.count, settings_);
       return;
     }
     const Halves halves = split(range, depth, is_in_scratch);
     const std::uint32_t left = node.left = new_pair(source);
     if (range.count > task_size) {
-      const auto child = [&](const Range& half, std::uint32_t at) {
-        NodeSource own;
-        build(half, at, depth + 1, !is_in_scratch, own);
-      };
-      tbb::parallel_invoke([&] { child(halves.left, left); }, [&] { child(halves.right, left + 1); });
+      tbb::parallel_invoke(
+          [&] {
+            NodeSource own;
+            build(halves.left, left, depth + 1, !is_in_scratch, own);
+          },
+          [&] { build(halves.right, left + 1, depth + 1, !is_in_scratch, source); });
     } else {
       build(halves.left, left, depth + 1, !is_in_scratch, source);
       build(halves.right, left + 1, depth + 1, !is_in_scratch, source);
     }
-    set_costs(node);
+    node.cost = inner_costs(range.box, range.count, nodes_[left].cost, nodes_[left + 1].cost, settings_);
   }
 
   /// Moves the primitives over to the other array, the left ones to its front.
@@ -105,7 +96,7 @@ class Builder {
     const std::span<const PrimitiveRef> from = (is_in_scratch ? scratch_ : refs_).subspan(range.first, range.count);
     const std::span<PrimitiveRef> to = (is_in_scratch ? refs_ : scratch_).subspan(range.first, range.count);
     if (depth < max_heuristic_depth) {
-      const BinMapping mapping(range.centers, range.count);
+      const BinMapping mapping(range.centers, range.count, settings_.bins);
       Bins bins(mapping.count);
       fill(bins, from, mapping);
       BinSplit best = bins.best_split(mapping);
@@ -195,32 +186,41 @@ class Builder {
     halves.left.centers = centers[0], halves.right.centers = centers[1];
   }
 
-  /// From those of the children: with i children of one wide node to spend, give k to the left and the rest to the
-  /// right; with one, be a leaf or a wide node of eight.
-  void set_costs(BinaryNode& node) const {
-    const float(&a)[7] = nodes_[node.left].cost;
-    const float(&b)[7] = nodes_[node.left + 1].cost;
-    const auto least = [&](int children) {
-      float cost = infinity;
-      for (int k = 1; k < children; ++k) cost = std::min(cost, a[k - 1] + b[children - k - 1]);
-      return cost;
-    };
-    node.cost[0] = std::min(node.leaf_cost(costs_), node.box().half_area() + least(8));
-    for (int i = 2; i <= 7; ++i) node.cost[i - 1] = std::min(node.cost[i - 2], least(i));
-  }
-
+  BinaryNodes& nodes_;
   std::span<PrimitiveRef> refs_, scratch_;
-  const WideCosts& costs_;
-  std::uint32_t leaf_size_;
-  LargeBuffer<BinaryNode> nodes_;
-  std::atomic<std::uint32_t> next_chunk_{2};
+  const TreeSettings& settings_;
 };
 
 }  // namespace
 
-LargeBuffer<BinaryNode> build_binary_tree(std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch,
-                                          const WideCosts& costs, std::uint32_t leaf_size) {
-  return Builder(refs, scratch, costs, leaf_size).build();
+CollapseCosts inner_costs(FlippedBox box, std::uint32_t count, const CollapseCosts& left, const CollapseCosts& right,
+                          const TreeSettings& settings) {
+  const auto least = [&](std::size_t children) {
+    float cost = infinity;
+    for (std::size_t k = 1; k < children; ++k) cost = std::min(cost, left[k - 1] + right[children - k - 1]);
+    return cost;
+  };
+  CollapseCosts costs;
+  costs[0] = std::min(leaf_cost(box, count, settings), box.half_area() + least(8));
+  for (std::size_t i = 2; i <= 7; ++i) costs[i - 1] = std::min(costs[i - 2], least(i));
+  return costs;
+}
+
+std::uint32_t BinaryNodes::new_chunk() {
+  const std::uint32_t first = next_.fetch_add(chunk, std::memory_order_relaxed);
+  std::atomic<BinaryNode*>& piece = pieces_.at(first / piece_size);
+  if (!piece.load(std::memory_order_acquire)) {
+    const std::lock_guard lock(growing_);
+    if (!piece.load(std::memory_order_relaxed)) {
+      piece.store(memory_.emplace_back(piece_size).data(), std::memory_order_release);
+    }
+  }
+  return first;
+}
+
+void build_binary_tree(BinaryNodes& nodes, std::span<PrimitiveRef> refs, std::span<PrimitiveRef> scratch,
+                       const TreeSettings& settings) {
+  Builder(nodes, refs, scratch, settings).build();
 }
 
 }  // namespace candil

@@ -34,6 +34,10 @@ inline Float8 floats8(Int8 v) { return std::bit_cast<Float8>(v); }
 
 #if CANDIL_AVX2
 
+/// Eight bytes as floats.
+inline Float8 load_bytes8(const void* bytes) {
+  return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(bytes))));
+}
 /// a * b + c, rounded once.
 inline Float8 multiply_add(Float8 a, Float8 b, Float8 c) { return _mm256_fmadd_ps(a, b, c); }
 inline Float8 minimum(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
@@ -73,6 +77,13 @@ inline Keys8 without_lane(Keys8 keys, unsigned lane) {
 
 #else
 
+inline Float8 load_bytes8(const void* bytes) {
+  std::uint8_t v[lane_count];
+  std::memcpy(v, bytes, sizeof v);
+  Float8 result{};
+  for (int i = 0; i < lane_count; ++i) result[i] = v[i];
+  return result;
+}
 inline Float8 multiply_add(Float8 a, Float8 b, Float8 c) { return a * b + c; }
 inline Float8 minimum(Float8 a, Float8 b) { return a < b ? a : b; }
 inline Float8 maximum(Float8 a, Float8 b) { return a > b ? a : b; }

@@ -4,13 +4,16 @@
 
 namespace candil {
 
-WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
+template <typename Node>
+WideBoxes<Node> WideBoxes<Node>::build(std::span<const Bounds> boxes, BuildQuality quality) {
   LargeBuffer<PrimitiveRef> refs(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     refs[i] = PrimitiveRef(FlippedBox(boxes[i]), static_cast<std::uint32_t>(i));
   }
   // An item costs more than a few nodes, and its own box should decide whether it is looked into.
-  WideTree tree = build_wide_tree({refs.data(), refs.size()}, {.leaf = 4, .max_leaf_size = 1}, 1);
+  TreeSettings settings{.leaf_cost = 4, .max_leaf_size = 1, .unsplit_size = 1};
+  settings.moves_subtrees = quality == BuildQuality::high;
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, settings);
   tbb::parallel_for(std::size_t{0}, tree.nodes.size(), [&](std::size_t i) {
     for (std::uint32_t& child : tree.nodes[i].child) {
       const std::uint32_t leaf = child ^ WideNode::leaf_bit;
@@ -20,9 +23,12 @@ WideBoxes WideBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality
     }
   });
   WideBoxes result;
-  result.nodes_ = std::move(tree.nodes);
+  result.nodes_ = nodes_from<Node>(std::move(tree.nodes));
   result.bounds_ = tree.bounds;
   return result;
 }
+
+template class WideBoxes<WideNode>;
+template class WideBoxes<CompactNode>;
 
 }  // namespace candil

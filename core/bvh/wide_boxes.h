@@ -4,11 +4,13 @@
 #include <span>
 
 #include "core/accelerator.h"
+#include "core/bvh/compact_node.h"
 #include "core/bvh/wide_build.h"
 #include "core/bvh/wide_traverse.h"
 
 namespace candil {
 
+template <typename Node>
 class WideBoxes {
  public:
   static WideBoxes build(std::span<const Bounds> boxes, BuildQuality quality);
@@ -25,8 +27,11 @@ class WideBoxes {
   std::size_t memory_bytes() const { return nodes_.bytes(); }
 
  private:
-  LargeBuffer<WideNode> nodes_;
+  LargeBuffer<Node> nodes_;
   Bounds bounds_;
 };
+
+extern template class WideBoxes<WideNode>;
+extern template class WideBoxes<CompactNode>;
 
 }  // namespace candil

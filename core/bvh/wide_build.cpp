@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/bvh/reinsertion.h"
+
 namespace candil {
 namespace {
 
@@ -16,7 +18,10 @@ struct Part {
 
 class Collapser {
  public:
-  Collapser(const LargeBuffer<BinaryNode>& binary, const WideCosts& costs) : binary_(binary), costs_(costs) {}
+  /// In WideNode::child: the root of a postponed part.
+  static constexpr std::uint32_t postponed_bit = 0x40000000;
+
+  Collapser(const BinaryNodes& binary, const TreeSettings& settings) : binary_(binary), settings_(settings) {}
 
   /// The wide nodes of the subtree, parents first. Subtrees of up to `postponed_size` primitives are left to others: an
   /// entry of `postponed` each, to which the child of the parent refers.
@@ -34,7 +39,7 @@ class Collapser {
   void choose(std::uint32_t index, int limit, Children& children) const {
     const BinaryNode& node = binary_[index];
     while (limit > 1 && node.cost[limit - 1] == node.cost[limit - 2]) --limit;
-    if (limit == 1) {
+    if (limit == 1 || node.is_leaf()) {
       children.list[children.count++] = index;
     } else {
       choose_below(node, limit, node.cost[limit - 1], children);
@@ -48,7 +53,11 @@ class Collapser {
     choose(node.left, k, children);
     choose(node.left + 1, limit - k, children);
   }
-  bool is_leaf(const BinaryNode& node) const { return node.is_leaf() || node.cost[0] == node.leaf_cost(costs_); }
+  bool is_leaf(const BinaryNode& node) const {
+    // Costs may be infinite where boxes are very large.
+    return node.is_leaf() ||
+           (node.count() <= settings_.max_leaf_size && node.cost[0] == leaf_cost(node.box(), node.count(), settings_));
+  }
 
   void expand(Part& part, std::size_t at, std::uint32_t index, std::uint32_t postponed_size,
               std::vector<Part>* postponed) const {
@@ -91,17 +100,13 @@ class Collapser {
     }
   }
 
- public:
-  static constexpr std::uint32_t postponed_bit = 0x40000000;
-
- private:
-  const LargeBuffer<BinaryNode>& binary_;
-  const WideCosts& costs_;
+  const BinaryNodes& binary_;
+  const TreeSettings& settings_;
 };
 
 }  // namespace
 
-WideTree build_wide_tree(std::span<PrimitiveRef> refs, const WideCosts& costs, std::uint32_t binary_leaf_size) {
+WideTree build_wide_tree(std::span<PrimitiveRef> refs, const TreeSettings& settings) {
   WideTree tree;
   if (refs.empty()) {
     tree.nodes = LargeBuffer<WideNode>(1);
@@ -112,13 +117,14 @@ WideTree build_wide_tree(std::span<PrimitiveRef> refs, const WideCosts& costs, s
     return tree;
   }
   LargeBuffer<PrimitiveRef> scratch(refs.size());
-  const LargeBuffer<BinaryNode> binary =
-      build_binary_tree(refs, {scratch.data(), scratch.size()}, costs, binary_leaf_size);
+  BinaryNodes binary(refs.size());
+  build_binary_tree(binary, refs, {scratch.data(), scratch.size()}, settings);
+  if (settings.moves_subtrees) reinsert_subtrees(binary, refs, {scratch.data(), scratch.size()}, settings);
   const FlippedBox box = binary[0].box();
   tree.bounds = {Vec3(box.low(0), box.low(1), box.low(2)), Vec3(box.high(0), box.high(1), box.high(2))};
 
   // The top by one thread, about 256 subtrees by tasks, then all of it into one array.
-  const Collapser collapser(binary, costs);
+  const Collapser collapser(binary, settings);
   std::vector<Part> parts(1);
   std::vector<Part> subtrees;
   const std::uint32_t subtree_size = std::max<std::uint32_t>(static_cast<std::uint32_t>(refs.size() / 256), 1024);

@@ -8,6 +8,9 @@
 
 namespace candil {
 
+/// So that all indices fit, whatever the tree looks like.
+inline constexpr std::size_t max_primitives = std::size_t{1} << 29;
+
 struct WideLeaf {
   std::uint32_t first, count;  ///< Into the sorted PrimitiveRefs.
 };
@@ -19,6 +22,6 @@ struct WideTree {
 };
 
 /// `refs` is brought into the order of the leaves. Same tree, bit by bit, for any number of threads.
-WideTree build_wide_tree(std::span<PrimitiveRef> refs, const WideCosts& costs, std::uint32_t binary_leaf_size);
+WideTree build_wide_tree(std::span<PrimitiveRef> refs, const TreeSettings& settings);
 
 }  // namespace candil

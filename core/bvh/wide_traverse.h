@@ -1,4 +1,4 @@
-/// The way of a ray through a hierarchy of WideNodes.
+/// The way of a ray through a hierarchy of WideNodes or CompactNodes.
 #pragma once
 
 #include "core/bvh/wide_node.h"
@@ -14,16 +14,16 @@ inline constexpr int max_wide_depth = 80;
 /// The children of a node that are still to be visited are one entry of the stack: eight 16-bit keys of distance, whose
 /// smallest one instruction finds (phminposuw). So nodes are visited in the order of distance without sorting, with the
 /// same instructions however many children are hit: nothing to mispredict. The depth of the tree bounds the stack.
-template <typename Leaf>
-void visit_nearest_first(const WideNode* nodes, const WideRay& ray, float& t_max, const Leaf& leaf) {
+template <typename Node, typename Leaf>
+void visit_nearest_first(const Node* nodes, const WideRay& ray, float& t_max, const Leaf& leaf) {
   struct Entry {
     Keys8 keys;
-    const WideNode* node;
+    const Node* node;
     unsigned left;  // bits of the children to come
   };
   Entry stack[max_wide_depth];
   Entry* top = stack;
-  const WideNode* node = nodes;
+  const Node* node = nodes;
   unsigned t_key = std::bit_cast<std::uint32_t>(t_max) >> 16;
   for (;;) {
     const Int8 enter = enter_children(*node, ray, t_max);
@@ -36,11 +36,11 @@ void visit_nearest_first(const WideNode* nodes, const WideRay& ray, float& t_max
         *top = {without_lane(keys, nearest.lane), node, left};
         top += left != 0;
         const std::uint32_t child = node->child[nearest.lane];
-        if ((child & WideNode::leaf_bit) == 0) {
+        if ((child & Node::leaf_bit) == 0) {
           node = nodes + child;
           break;
         }
-        leaf(child ^ WideNode::leaf_bit, t_max);
+        leaf(child ^ Node::leaf_bit, t_max);
         t_key = std::bit_cast<std::uint32_t>(t_max) >> 16;
       }
       if (top == stack) return;
@@ -51,15 +51,15 @@ void visit_nearest_first(const WideNode* nodes, const WideRay& ray, float& t_max
 }
 
 /// Whether `leaf(index)` is true for any leaf whose box the ray meets in [0, t_max]; stops at the first.
-template <typename Leaf>
-bool visit_until(const WideNode* nodes, const WideRay& ray, float t_max, const Leaf& leaf) {
+template <typename Node, typename Leaf>
+bool visit_until(const Node* nodes, const WideRay& ray, float t_max, const Leaf& leaf) {
   struct Entry {
-    const WideNode* node;
+    const Node* node;
     unsigned left;
   };
   Entry stack[max_wide_depth];
   Entry* top = stack;
-  const WideNode* node = nodes;
+  const Node* node = nodes;
   for (;;) {
     unsigned left = sign_bits(enter_children(*node, ray, t_max)) ^ 0xff;
     for (;;) {
@@ -69,11 +69,11 @@ bool visit_until(const WideNode* nodes, const WideRay& ray, float t_max, const L
         *top = {node, left};
         top += left != 0;
         const std::uint32_t child = node->child[lane];
-        if ((child & WideNode::leaf_bit) == 0) {
+        if ((child & Node::leaf_bit) == 0) {
           node = nodes + child;
           break;
         }
-        if (leaf(child ^ WideNode::leaf_bit)) return true;
+        if (leaf(child ^ Node::leaf_bit)) return true;
       }
       if (top == stack) return false;
       --top;

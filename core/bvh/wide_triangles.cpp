@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "core/bvh/binary_bins.h"
+
 namespace candil {
 namespace {
 
@@ -14,16 +16,25 @@ Bounds triangle_bounds(const Mesh& mesh, Triangle t) {
   return bounds;
 }
 
+TreeSettings tree_settings(BuildQuality quality) {
+  TreeSettings settings;
+  if (quality == BuildQuality::low) settings.bins = 8;
+  if (quality == BuildQuality::high)
+    settings.bins = max_bins, settings.moves_subtrees = true;
+  return settings;
+}
+
 }  // namespace
 
-WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality /*quality*/) {
+template <typename Node>
+WideTriangles<Node> WideTriangles<Node>::build(std::span<const MeshPart> parts, BuildQuality quality) {
   WideTriangles result;
   std::size_t count = 0;
   for (const MeshPart& part : parts) {
     result.first_id_.push_back(static_cast<std::uint32_t>(count));
     count += part.mesh->triangles.size();
   }
-  if (count >= TriangleBlock::filter_bit) throw std::runtime_error("more than 2147483647 triangles in one hierarchy");
+  if (count > max_primitives) throw std::runtime_error("more than 2^29 triangles in one hierarchy");
 
   LargeBuffer<PrimitiveRef> refs(count);
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -35,7 +46,7 @@ WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality
       }
     });
   }
-  WideTree tree = build_wide_tree({refs.data(), refs.size()}, WideCosts{}, lane_count);
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, tree_settings(quality));
   result.blocks_ = LargeBuffer<TriangleBlock>(std::max<std::size_t>(1, tree.leaves.size()));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.leaves.size(), 256), [&](const auto& range) {
     for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf) {
@@ -61,9 +72,12 @@ WideTriangles WideTriangles::build(std::span<const MeshPart> parts, BuildQuality
       }
     }
   });
-  result.nodes_ = std::move(tree.nodes);
+  result.nodes_ = nodes_from<Node>(std::move(tree.nodes));
   result.bounds_ = tree.bounds;
   return result;
 }
+
+template class WideTriangles<WideNode>;
+template class WideTriangles<CompactNode>;
 
 }  // namespace candil

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accelerator.h"
+#include "core/bvh/compact_node.h"
 #include "core/bvh/mesh_part.h"
 #include "core/bvh/triangle_block.h"
 #include "core/bvh/wide_build.h"
@@ -13,6 +14,7 @@
 
 namespace candil {
 
+template <typename Node>
 class WideTriangles {
  public:
   static WideTriangles build(std::span<const MeshPart> parts, BuildQuality quality);
@@ -73,10 +75,13 @@ class WideTriangles {
     hit.triangle = id - first_id_[hit.part];
   }
 
-  LargeBuffer<WideNode> nodes_;
+  LargeBuffer<Node> nodes_;
   LargeBuffer<TriangleBlock> blocks_;
   std::vector<std::uint32_t> first_id_;  // per part
   Bounds bounds_;
 };
+
+extern template class WideTriangles<WideNode>;
+extern template class WideTriangles<CompactNode>;
 
 }  // namespace candil

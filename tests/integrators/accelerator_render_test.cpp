@@ -99,7 +99,7 @@ double mean_of(const Image& image) {
   return sum / static_cast<double>(image.pixels.size());
 }
 
-class AcceleratorPicture : public testing::TestWithParam<AcceleratorKind> {};
+class AcceleratorPicture : public testing::TestWithParam<AcceleratorChoice> {};
 
 // What the camera sees is the same thing everywhere, but for ties: two surfaces within the step by which rays leave
 // them, 2^-18 of the coordinates (offset_origin()), or a ray that passes an outline within rounding errors.
@@ -143,7 +143,7 @@ TEST_P(AcceleratorPicture, OfPathsIsTheSame) {
   EXPECT_NEAR(mean_of(found) / mean_of(expected), 1, 0.002);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AcceleratorPicture, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, AcceleratorPicture, testing::ValuesIn(accelerator_choices()), choice_name);
 
 }  // namespace
 }  // namespace candil::test

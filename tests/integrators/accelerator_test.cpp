@@ -11,7 +11,7 @@
 namespace candil::test {
 namespace {
 
-class AcceleratorOfKind : public testing::TestWithParam<AcceleratorKind> {};
+class AcceleratorOfKind : public testing::TestWithParam<AcceleratorChoice> {};
 
 class RandomSoup : public testing::TestWithParam<float> {};
 
@@ -245,7 +245,7 @@ TEST_P(AcceleratorOfKind, EmptySceneIsNeverHit) {
   EXPECT_FALSE(accelerator->occluded(Ray{}));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AcceleratorOfKind, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, AcceleratorOfKind, testing::ValuesIn(accelerator_choices()), choice_name);
 
 }  // namespace
 }  // namespace candil::test

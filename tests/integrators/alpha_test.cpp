@@ -26,15 +26,15 @@ enum class Placement { world_space, instanced, mirrored };
 
 /// Every way to get there, behind every kind of accelerator.
 struct Setting {
-  AcceleratorKind kind = AcceleratorKind::embree;
+  AcceleratorChoice accelerator;
   Placement placement = Placement::world_space;
 };
 
 std::vector<Setting> all_settings() {
   std::vector<Setting> settings;
-  for (const AcceleratorKind kind : accelerator_kinds()) {
+  for (const AcceleratorChoice& accelerator : accelerator_choices()) {
     for (const Placement placement : {Placement::world_space, Placement::instanced, Placement::mirrored}) {
-      settings.push_back({kind, placement});
+      settings.push_back({accelerator, placement});
     }
   }
   return settings;
@@ -42,7 +42,7 @@ std::vector<Setting> all_settings() {
 
 std::string setting_name(const testing::TestParamInfo<Setting>& test) {
   constexpr std::array names = {"world_space", "instanced", "mirrored"};
-  return accelerator_name(test.param.kind) + "_" + names[static_cast<std::size_t>(test.param.placement)];
+  return test.param.accelerator.name() + "_" + names[static_cast<std::size_t>(test.param.placement)];
 }
 
 /// The square alone, at the same place and with its front towards +z however it gets there.
@@ -58,7 +58,7 @@ Stage square_stage(const Material& material, Setting setting, Scene textures = {
   }
   // Mirrored at the plane x = 0, the square covers itself. The front stays the front (glTF 2.0, section 3.7.4).
   if (setting.placement == Placement::mirrored) instance.to_world.linear[0].x = -1;
-  return Stage(builder.scene, setting.kind);
+  return Stage(builder.scene, setting.accelerator);
 }
 
 struct Seen {
@@ -105,7 +105,7 @@ TEST_P(BackFace, HidesNothingBehindIt) {
   Scene scene = square_stage(Material{}, GetParam()).scene();
   builder.scene = scene;
   builder.add_quad(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0), builder.add_diffuse(Vec3(0.5f)));
-  const Stage stage(builder.scene, GetParam().kind);
+  const Stage stage(builder.scene, GetParam().accelerator);
   const auto hit = stage.accelerator().intersect({Vec3(0.3f, 0.1f, -3), Vec3(0, 0, 1)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->mesh, 1u);
@@ -114,7 +114,7 @@ TEST_P(BackFace, HidesNothingBehindIt) {
 
 INSTANTIATE_TEST_SUITE_P(All, BackFace, testing::ValuesIn(all_settings()), setting_name);
 
-class Mask : public testing::TestWithParam<AcceleratorKind> {};
+class Mask : public testing::TestWithParam<AcceleratorChoice> {};
 
 // Texels of alpha 0, 127, 128 and 255 from left to right, looked up without interpolation. A cutoff of 0.5 lies between
 // 127/255 = 0.498 and 128/255 = 0.502.
@@ -158,7 +158,7 @@ TEST_P(Mask, IsCutByVertexColours) {
   EXPECT_TRUE(sees(0.9f));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Mask, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, Mask, testing::ValuesIn(accelerator_choices()), choice_name);
 
 Material blended(float alpha) {
   Material material;
@@ -233,7 +233,7 @@ TEST_P(Blend, FullAlphaStopsAllAndNoneStopsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(All, Blend, testing::ValuesIn(all_settings()), setting_name);
 
-class BlendLayers : public testing::TestWithParam<AcceleratorKind> {};
+class BlendLayers : public testing::TestWithParam<AcceleratorChoice> {};
 
 // Layers are independent of each other: three of alpha a let (1 - a)^3 through, be they triangles of one mesh, of
 // several meshes or of several instances of one. Which of them a ray finds first does not change whether it gets
@@ -274,7 +274,7 @@ TEST_P(BlendLayers, AreIndependent) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BlendLayers, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, BlendLayers, testing::ValuesIn(accelerator_choices()), choice_name);
 
 }  // namespace
 }  // namespace candil::test

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Setting{"lens", CameraKind::perspective, 0.1f, FilterKind::gaussian},
                     Setting{"orthographic", CameraKind::orthographic, 0, FilterKind::box},
                     Setting{"orthographic_lens", CameraKind::orthographic, 0.1f, FilterKind::blackman_harris}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& camera) { return camera.param.name; });
 
 }  // namespace
 }  // namespace candil

@@ -18,19 +18,22 @@ std::size_t wanted_rays() {
 }
 
 /// For the slow ones fewer of them, so that they take no longer than the others.
-std::size_t ray_count(AcceleratorKind kind, const Mesh& mesh) {
-  if (kind == AcceleratorKind::brute) return std::min<std::size_t>(wanted_rays(), 30'000'000 / mesh.triangles.size());
-  return kind == AcceleratorKind::report ? wanted_rays() / 10 : wanted_rays();
+std::size_t ray_count(const AcceleratorChoice& choice, const Mesh& mesh) {
+  if (choice.kind == AcceleratorKind::brute)
+    return std::min<std::size_t>(wanted_rays(), 30'000'000 / mesh.triangles.size());
+  return choice.kind == AcceleratorKind::report ? wanted_rays() / 10 : wanted_rays();
 }
 
 /// Embree's edge functions may all say at a vertex that the ray is beyond it: of the rays that aim at one exactly, a
 /// few in a thousand slip through.
-double leak_share_at_vertices(AcceleratorKind kind) { return kind == AcceleratorKind::embree ? 0.01 : 0; }
+double leak_share_at_vertices(const AcceleratorChoice& choice) {
+  return choice.kind == AcceleratorKind::embree ? 0.01 : 0;
+}
 
 /// How many of the rays do not hit.
 class LeakCounter {
  public:
-  LeakCounter(AcceleratorKind kind, const Mesh& mesh, const Affine& to_world, bool is_instanced) {
+  LeakCounter(const AcceleratorChoice& choice, const Mesh& mesh, const Affine& to_world, bool is_instanced) {
     SceneBuilder builder;
     builder.add_mesh(mesh, builder.add_diffuse(Vec3(0.5f)));
     Instance& instance = builder.scene.instances[0];
@@ -40,7 +43,7 @@ class LeakCounter {
       for (Vec3& p : builder.scene.meshes[0].positions) p = to_world.point(p);
     }
     scene_ = builder.scene;
-    accelerator_ = make_accelerator_of(kind, scene_);
+    accelerator_ = make_accelerator_of(choice, scene_);
   }
   void shoot(Vec3 origin, Vec3 towards) {
     const Ray ray{origin, glm::normalize(towards)};
@@ -72,17 +75,17 @@ const std::vector<Placing> placings = {
     {"tiny_instance", {1e-6f * odd_linear, Vec3(1e-4f)}, true},
 };
 
-class ClosedSurface : public testing::TestWithParam<std::tuple<AcceleratorKind, Placing>> {};
+class ClosedSurface : public testing::TestWithParam<std::tuple<AcceleratorChoice, Placing>> {};
 
 // Rays in random directions and at points of edges, and in a second count those at vertices.
 TEST_P(ClosedSurface, OfABallHasNoHoles) {
-  const auto& [kind, placing] = GetParam();
+  const auto& [choice, placing] = GetParam();
   const Mesh ball = closed_ball(40);
   const Affine& to_world = placing.to_world;
-  LeakCounter leaks(kind, ball, to_world, placing.is_instanced),
-      at_vertices(kind, ball, to_world, placing.is_instanced);
+  LeakCounter leaks(choice, ball, to_world, placing.is_instanced),
+      at_vertices(choice, ball, to_world, placing.is_instanced);
   Random random(6);
-  const std::size_t rays = ray_count(kind, ball);
+  const std::size_t rays = ray_count(choice, ball);
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3 origin = to_world.point(0.5f * random_in_cube(random));  // the ball's inscribed radius is above 0.99
     const Triangle t = ball.triangles[random_index(random, 0, ball.triangles.size())];
@@ -100,18 +103,18 @@ TEST_P(ClosedSurface, OfABallHasNoHoles) {
     }
   }
   EXPECT_EQ(leaks.count(), 0u);
-  EXPECT_LE(static_cast<double>(at_vertices.count()), leak_share_at_vertices(kind) * static_cast<double>(rays));
+  EXPECT_LE(static_cast<double>(at_vertices.count()), leak_share_at_vertices(choice) * static_cast<double>(rays));
 }
 
 std::string closed_surface_name(const testing::TestParamInfo<ClosedSurface::ParamType>& test) {
-  return accelerator_name(std::get<0>(test.param)) + "_" + std::get<1>(test.param).name;
+  return std::get<0>(test.param).name() + "_" + std::get<1>(test.param).name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedSurface,
-                         testing::Combine(testing::ValuesIn(accelerator_kinds()), testing::ValuesIn(placings)),
+                         testing::Combine(testing::ValuesIn(accelerator_choices()), testing::ValuesIn(placings)),
                          closed_surface_name);
 
-class ClosedBox : public testing::TestWithParam<AcceleratorKind> {};
+class ClosedBox : public testing::TestWithParam<AcceleratorChoice> {};
 
 // A box of squares, all of whose corners are exact numbers. Rays along the axes and in the planes of the grid run in
 // the faces of boxes of the hierarchy and end in corners and on edges of triangles.
@@ -166,7 +169,7 @@ TEST_P(ClosedBox, HasNoHolesAlongLongEdges) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ClosedBox, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, ClosedBox, testing::ValuesIn(accelerator_choices()), choice_name);
 
 }  // namespace
 }  // namespace candil::test

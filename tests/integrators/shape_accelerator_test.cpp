@@ -57,7 +57,7 @@ Hit nearest_shape(const Scene& scene, const Ray& ray) {
   return nearest;
 }
 
-class ShapeAccelerator : public testing::TestWithParam<AcceleratorKind> {
+class ShapeAccelerator : public testing::TestWithParam<AcceleratorChoice> {
  protected:
   static std::unique_ptr<Accelerator> make(const Scene& scene) { return make_accelerator_of(GetParam(), scene); }
 };
@@ -115,7 +115,7 @@ TEST_P(ShapeAccelerator, ManyRaysAreLikeEachAlone) {
   }
 }
 
-class ShapeInHierarchy : public testing::TestWithParam<std::tuple<AcceleratorKind, ShapeSample>> {};
+class ShapeInHierarchy : public testing::TestWithParam<std::tuple<AcceleratorChoice, ShapeSample>> {};
 
 // Single-precision boxes around it lose no ray that double precision hits: rays from inside of a sphere all end on it,
 // and rays from afar at any point of a shape's front hit something.
@@ -147,9 +147,9 @@ TEST_P(ShapeInHierarchy, LosesNoRay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShapeInHierarchy,
-                         testing::Combine(testing::ValuesIn(accelerator_kinds()), testing::ValuesIn(shape_samples())),
+                         testing::Combine(testing::ValuesIn(accelerator_choices()), testing::ValuesIn(shape_samples())),
                          [](const auto& test) {
-                           return accelerator_name(std::get<0>(test.param)) + "_" + std::get<1>(test.param).name;
+                           return std::get<0>(test.param).name() + "_" + std::get<1>(test.param).name;
                          });
 
 // A fine mesh of the same ball is inside of it by its sagitta at most: hits agree but for that and its slant.
@@ -166,7 +166,7 @@ TEST_P(ShapeAccelerator, AgreesWithAFineMeshOfABall) {
   // 1 - cos of half a cell's diagonal, in units of the ball; the transform stretches by less than 2.
   const float sagitta = 2 * (1 - std::cos(std::sqrt(2.0f) * pi / (2 * rows)));
   Random random(6);
-  const int rays = GetParam() == AcceleratorKind::brute ? 200 : 50000;  // 261,120 triangles
+  const int rays = GetParam().kind == AcceleratorKind::brute ? 200 : 50000;  // 261,120 triangles
   int compared = 0;
   for (int i = 0; i < rays; ++i) {
     const Vec3 origin = to_world.translation + 5.0f * random_in_cube(random);
@@ -248,7 +248,7 @@ TEST_P(ShapeAccelerator, AlphaCountsOnBothSidesOfASphere) {
   EXPECT_GT(chi_square_test(observed, expected).p_value, significance);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShapeAccelerator, testing::ValuesIn(accelerator_kinds()), kind_name);
+INSTANTIATE_TEST_SUITE_P(All, ShapeAccelerator, testing::ValuesIn(accelerator_choices()), choice_name);
 
 }  // namespace
 }  // namespace candil::test

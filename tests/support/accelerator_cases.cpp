@@ -10,24 +10,27 @@
 #include "tests/support/scene_builder.h"
 
 namespace candil::test {
-namespace {
 
-AcceleratorOptions options_of(AcceleratorKind kind) {
+AcceleratorOptions AcceleratorChoice::options() const {
   AcceleratorOptions options;
-  options.kind = kind;
+  options.kind = kind, options.quality = quality, options.is_compact = is_compact;
   return options;
 }
 
-}  // namespace
-
-std::vector<AcceleratorKind> accelerator_kinds() {
-  std::vector<AcceleratorKind> kinds;
-  for (const std::string& name : accelerator_names()) kinds.push_back(*accelerator_from_name(name));
-  return kinds;
+std::string AcceleratorChoice::name() const {
+  return accelerator_name(kind) + (quality == BuildQuality::high ? "_high" : "") + (is_compact ? "_compact" : "");
 }
 
-std::unique_ptr<Accelerator> make_accelerator_of(AcceleratorKind kind, const Scene& scene) {
-  return make_accelerator(scene, alpha_filter(), options_of(kind));
+std::vector<AcceleratorChoice> accelerator_choices() {
+  std::vector<AcceleratorChoice> choices;
+  for (const std::string& name : accelerator_names()) choices.push_back({*accelerator_from_name(name)});
+  choices.push_back({AcceleratorKind::wide, BuildQuality::high, false});
+  choices.push_back({AcceleratorKind::wide, BuildQuality::medium, true});
+  return choices;
+}
+
+std::unique_ptr<Accelerator> make_accelerator_of(const AcceleratorChoice& choice, const Scene& scene) {
+  return make_accelerator(scene, alpha_filter(), choice.options());
 }
 
 Vec3 random_in_cube(Random& random) {
@@ -153,9 +156,9 @@ void expect_agreement(const Scene& scene, int ray_count, double decided_share,
       int complaints = 0, hits = 0;
     };
     std::vector<Contestant> contestants;
-    for (const AcceleratorKind kind : accelerator_kinds()) {
+    for (const AcceleratorChoice& choice : accelerator_choices()) {
       const HitFilter filter = is_filtered ? alpha_filter() : HitFilter{};
-      contestants.push_back({accelerator_name(kind), make_accelerator(scene, filter, options_of(kind))});
+      contestants.push_back({choice.name(), make_accelerator(scene, filter, choice.options())});
     }
     const BruteForce judge(scene,
                            is_filtered ? BruteForce::BackFaces::as_materials_say : BruteForce::BackFaces::visible);

@@ -13,12 +13,22 @@
 
 namespace candil::test {
 
-/// All that there are: tests that go through them need no change for a new one.
-std::vector<AcceleratorKind> accelerator_kinds();
-inline std::string kind_name(const testing::TestParamInfo<AcceleratorKind>& test) {
-  return accelerator_name(test.param);
-}
-std::unique_ptr<Accelerator> make_accelerator_of(AcceleratorKind kind, const Scene& scene);  ///< With alpha_filter().
+/// A kind of accelerator, with the options that decide which code answers.
+struct AcceleratorChoice {
+  AcceleratorKind kind = AcceleratorKind::embree;
+  BuildQuality quality = BuildQuality::medium;
+  bool is_compact = false;
+
+  AcceleratorOptions options() const;
+  std::string name() const;  ///< Letters and _.
+};
+
+/// All kinds that there are, and wide with each of its options: tests that go through them need no change for a new
+/// one.
+std::vector<AcceleratorChoice> accelerator_choices();
+inline std::string choice_name(const testing::TestParamInfo<AcceleratorChoice>& test) { return test.param.name(); }
+std::unique_ptr<Accelerator> make_accelerator_of(const AcceleratorChoice& choice,
+                                                 const Scene& scene);  ///< With alpha_filter().
 
 Vec3 random_in_cube(Random& random);  ///< Of half side 1 around the origin.
 Vec3 random_direction(Random& random);

@@ -79,8 +79,11 @@ std::uint32_t SceneBuilder::add_shape(ShapeKind kind, const Affine& to_world, st
   return static_cast<std::uint32_t>(scene.shapes.size() - 1);
 }
 
-Stage::Stage(Scene scene, AcceleratorKind kind)
-    : scene_(std::move(scene)), accelerator_(make_accelerator_of(kind, scene_)), lights_(scene_), tables_(scene_) {}
+Stage::Stage(Scene scene, const AcceleratorChoice& accelerator)
+    : scene_(std::move(scene)),
+      accelerator_(make_accelerator_of(accelerator, scene_)),
+      lights_(scene_),
+      tables_(scene_) {}
 
 Estimate estimate_radiance(const Stage& stage, Integrator integrator, const Ray& ray, std::uint32_t samples,
                            std::uint32_t max_bounces) {

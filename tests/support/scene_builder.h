@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "integrators/integrator.h"
+#include "tests/support/accelerator_cases.h"
 
 namespace candil::test {
 
@@ -30,7 +31,7 @@ class SceneBuilder {
 /// The rest of a RenderContext, built from a scene that it keeps.
 class Stage {
  public:
-  explicit Stage(Scene scene, AcceleratorKind kind = AcceleratorKind::embree);
+  explicit Stage(Scene scene, const AcceleratorChoice& accelerator = {});
   RenderContext context() const { return {scene_, *accelerator_, lights_, tables_}; }
   const Scene& scene() const { return scene_; }
   const Accelerator& accelerator() const { return *accelerator_; }

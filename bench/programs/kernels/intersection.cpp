@@ -4,7 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "core/bvh/compact_node.h"
 #include "core/bvh/node_pair.h"
+#include "core/bvh/triangle_block.h"
 #include "core/bvh/triangle_group.h"
 #include "core/sampler.h"
 #include "core/warp.h"
@@ -69,6 +71,34 @@ void box_line(benchmark::State& state) {
 }
 BENCHMARK(box_line)->Name("box/whole line");
 
+template <typename Node>
+void box_eight(benchmark::State& state) {
+  std::vector<Node> nodes;
+  std::vector<WideRay> slabs;
+  const Bounds all{Vec3(-1), Vec3(1)};
+  for (std::uint32_t i = 0; i < case_count; ++i) {
+    WideNode wide;
+    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+      const Bounds box = some_box(lane_count * i + lane);
+      for (int axis = 0; axis < 3; ++axis) {
+        wide.planes[2 * axis][lane] = box.low[axis], wide.planes[2 * axis + 1][lane] = box.high[axis];
+      }
+      wide.child[lane] = lane;
+    }
+    nodes.emplace_back(wide);
+    slabs.emplace_back(rays()[i], all);
+  }
+  std::size_t i = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const std::size_t k = i++ % case_count;
+    unsigned missed = sign_bits(enter_children(nodes[k], slabs[k], infinity));
+    benchmark::DoNotOptimize(missed);
+  }
+  state.SetItemsProcessed(state.iterations() * lane_count);
+}
+BENCHMARK(box_eight<WideNode>)->Name("box/eight");
+BENCHMARK(box_eight<CompactNode>)->Name("box/eight of 8 bits");
+
 template <typename Real>
 void triangle(benchmark::State& state) {
   std::vector<std::array<Vec3, 3>> triangles;
@@ -114,6 +144,29 @@ void triangle_group(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * size);
 }
 BENCHMARK(triangle_group)->Name("triangle/group of")->Arg(1)->Arg(4);
+
+void triangle_block(benchmark::State& state) {
+  std::vector<TriangleBlock> blocks(case_count);
+  std::vector<BlockRay> frames;
+  for (std::uint32_t i = 0; i < case_count; ++i) {
+    for (std::uint32_t lane = 0; lane < lane_count; ++lane) {
+      for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        const Vec3 at = place(3 * (lane_count * i + lane) + corner);
+        for (int axis = 0; axis < 3; ++axis) blocks[i].vertices[corner][axis][lane] = at[axis];
+      }
+      blocks[i].id[lane] = lane;
+    }
+    frames.emplace_back(rays()[i]);
+  }
+  std::size_t i = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    const std::size_t k = i++ % case_count;
+    unsigned hits = BlockCrossings(blocks[k], frames[k], infinity).hits();
+    benchmark::DoNotOptimize(hits);
+  }
+  state.SetItemsProcessed(state.iterations() * lane_count);
+}
+BENCHMARK(triangle_block)->Name("triangle/block of eight");
 
 }  // namespace
 }  // namespace candil
