@@ -1,26 +1,10 @@
 #include <fmt/format.h>
 
 #include "apps/chart.h"
+#include "apps/escape_xml.h"
 
 namespace candil {
 namespace {
-
-/// `text` as XML may hold it; control characters, which it may not, become '?'.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    }
-  }
-  return result;
-}
 
 std::string color_name(ChartColor color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b); }
 
@@ -49,7 +33,7 @@ std::string chart_svg(const Chart& chart) {
                        r.width, r.height, color_name(r.color));
   for (const Chart::Text& t : chart.texts)
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n", t.x, t.y,
-                       anchor_name(t.anchor), color_name(t.color), escaped(t.text));
+                       anchor_name(t.anchor), color_name(t.color), escape_xml(t.text));
   return svg + "</svg>\n";
 }
 

@@ -7,7 +7,7 @@
 #include "apps/base64.h"
 #include "apps/check/failure_files.h"
 #include "apps/check/failure_page.h"
-#include "apps/check/junit.h"
+#include "apps/escape_xml.h"
 #include "apps/versions.h"
 #include "io/atomic_file.h"
 #include "io/error.h"

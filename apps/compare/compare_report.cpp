@@ -14,6 +14,7 @@
 
 #include "apps/base64.h"
 #include "apps/compare/report_template.h"
+#include "apps/escape_xml.h"
 #include "core/color.h"
 #include "io/image_file.h"
 #include "metrics/color_map.h"
@@ -23,27 +24,6 @@ namespace candil {
 namespace {
 
 using nlohmann::json;
-
-std::string escape(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  return escaped;
-}
 
 /// JSON inside of a script element: nothing in it may look like the element's end.
 std::string script_json(const json& value) {
@@ -140,13 +120,13 @@ std::string histogram_svg(const ReportLayer& layer) {
       "number) by {2}</title>{3}"
       "<g fill=\"currentColor\" font-size=\"11\"><text x=\"0\" y=\"{4}\">{2} 0</text><text x=\"{0}\" y=\"{4}\" "
       "text-anchor=\"end\">{5:.4g}</text></g></svg>\n",
-      width, height + 16, escape(layer.map_name), bars, height + 13, layer.map_largest);
+      width, height + 16, escape_xml(layer.map_name), bars, height + 13, layer.map_largest);
 }
 
 std::string layer_section(const Report& report, std::size_t index, const Range& range) {
   const ReportLayer& layer = report.layers[index];
   std::string text =
-      fmt::format("<section class=\"layer\"><h2>{}</h2>\n<div class=\"pictures\">\n", escape(layer.name));
+      fmt::format("<section class=\"layer\"><h2>{}</h2>\n<div class=\"pictures\">\n", escape_xml(layer.name));
   std::array<std::string, 3> elements;
   tbb::parallel_invoke([&] { elements[0] = image_element("a", index, picture_of(layer, layer.a, range)); },
                        [&] { elements[1] = image_element("b", index, picture_of(layer, layer.b, range)); },
@@ -154,8 +134,8 @@ std::string layer_section(const Report& report, std::size_t index, const Range& 
   for (const std::string& element : elements) text += element;
   text += "</div>\n" + histogram_svg(layer) + "<table>\n";
   for (const ReportRow& row : report.rows[index])
-    text += fmt::format("<tr{}><th>{}</th><td>{}</td></tr>\n", row.is_bad ? " class=\"bad\"" : "", escape(row.name),
-                        escape(row.value));
+    text += fmt::format("<tr{}><th>{}</th><td>{}</td></tr>\n", row.is_bad ? " class=\"bad\"" : "", escape_xml(row.name),
+                        escape_xml(row.value));
   return text + "</table></section>\n";
 }
 
@@ -206,13 +186,13 @@ std::string make_report(const Report& report) {
       values += "</script>\n";
     }
   }
-  for (const std::string& note : report.notes) notes += "<li>" + escape(note) + "</li>";
+  for (const std::string& note : report.notes) notes += "<li>" + escape_xml(note) + "</li>";
   if (!notes.empty()) notes = "<ul class=\"notes\">" + notes + "</ul>";
   const std::string heading =
-      fmt::format("<h1 class=\"{}\">{}</h1>", report.is_same ? "same" : "different", escape(report.verdict));
+      fmt::format("<h1 class=\"{}\">{}</h1>", report.is_same ? "same" : "different", escape_xml(report.verdict));
   const std::string names =
-      fmt::format("<dt>A</dt><dd>{}</dd><dt>B</dt><dd>{}</dd>", escape(report.name_a), escape(report.name_b));
-  const std::string title = escape(report.title);
+      fmt::format("<dt>A</dt><dd>{}</dd><dt>B</dt><dd>{}</dd>", escape_xml(report.name_a), escape_xml(report.name_b));
+  const std::string title = escape_xml(report.title);
   const std::string data = script_json({{"layers", layers}, {"colors", heat_colors()}});
   return fill_in(report_html, {{"title", title},
                                {"css", report_css},

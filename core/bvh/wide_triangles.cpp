@@ -19,8 +19,7 @@ Bounds triangle_bounds(const Mesh& mesh, Triangle t) {
 TreeSettings tree_settings(BuildQuality quality) {
   TreeSettings settings;
   if (quality == BuildQuality::low) settings.bins = 8;
-  if (quality == BuildQuality::high)
-    settings.bins = max_bins, settings.moves_subtrees = true;
+  if (quality == BuildQuality::high) settings.bins = max_bins, settings.moves_subtrees = true;
   return settings;
 }
 
