@@ -23,7 +23,8 @@ def draw_growth(results, folder):
         if not found:
             continue
         plot, axes = matplotlib.pyplot.subplots(figsize=(6.4, 4.2))
-        axes.set(xscale="log", yscale="log", xlabel="triangles", ylabel=label)
+        axes.set(xscale="log", yscale="log", xlabel="triangles")
+        axes.set_title(label, loc="left", fontsize=10)
         axes.grid(True, which="major", color="#dddddd")
         for contestant, points in found.items():
             axes.plot(*zip(*points), "o-", color=COLORS.get(contestant, "#000000"), label=contestant)
