@@ -29,7 +29,7 @@ it is measured.
 
 GROWTH_TEXT = """The same hills in more and more triangles, seen from the same place. The exponent k is that of the power
 law n^k that fits a curve best: 1 for a loop over all triangles, 0.09 for a pure logarithm from a thousand to ten million.
-What the hierarchies have above that comes with the caches that no longer hold them."""
+What the hierarchies have above that may come from caches that no longer hold them; that was not measured."""
 
 RENDERER_TEXT = """How much of a render is spent in its rays: the time of their bare replay, by `embree`, over that of the
 render. 1 would be a renderer that costs nothing. Depths come from renders that end after no, one, and any number of
