@@ -6,6 +6,7 @@
 #include "apps/accelerator_argument.h"
 #include "apps/arguments.h"
 #include "apps/render_arguments.h"
+#include "apps/scene_arguments.h"
 #include "apps/usage_error.h"
 
 namespace candil {
@@ -97,6 +98,7 @@ void add_bench_arguments(CLI::App& app, BenchOptions& options) {
       ->allow_extra_args(false)
       ->group("Measurement");
   add_measurement_arguments(arguments, options);
+  add_scene_arguments(arguments, options.load);
   add_output_arguments(arguments, options);
   app.footer(footer);
 }

@@ -50,7 +50,7 @@ BenchedScene bench_scene(const BenchOptions& options, const std::filesystem::pat
     if (!options.is_quiet) print_note(file.filename().string() + ": " + doing);
   };
   say("loading");
-  LoadedScene loaded = load_scene(file);
+  LoadedScene loaded = load_scene(file, options.load);
   for (const std::string& warning : loaded.warnings) print_warning(warning);
   check_inputs_survive(options, loaded.files);
   Scene scene = std::move(loaded.scene);

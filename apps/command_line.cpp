@@ -5,11 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/arguments.h"
 #include "apps/bench_arguments.h"
 #include "apps/check/check_arguments.h"
 #include "apps/compare/compare_arguments.h"
 #include "apps/messages.h"
 #include "apps/render_arguments.h"
+#include "apps/scene_arguments.h"
 #include "apps/tonemap_arguments.h"
 #include "apps/usage_error.h"
 #include "apps/versions.h"
@@ -43,6 +45,8 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
          "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb, .ply or .json")
       ->required();
   app.add_flag("--json", options.is_json, "Print JSON for machines");
+  Arguments arguments(app);
+  add_scene_arguments(arguments, options.load);
   app.footer(info_footer);
 }
 

@@ -11,12 +11,14 @@
 #include "apps/environment_choice.h"
 #include "apps/outputs.h"
 #include "integrators/render.h"
+#include "io/load_options.h"
 
 namespace candil {
 
 /// `candil render`.
 struct RenderOptions {
   std::filesystem::path scene;
+  LoadOptions load;
   std::vector<std::string> outputs;  ///< As typed; empty: a PNG named after the scene.
   std::optional<ImageSize> size;
   AcceleratorOptions accelerator;
@@ -42,6 +44,7 @@ struct TonemapOptions {
 /// `candil info`.
 struct InfoOptions {
   std::filesystem::path scene;
+  LoadOptions load;
   bool is_json = false;
 };
 
@@ -53,6 +56,7 @@ struct BenchOptions {
   };
 
   std::vector<std::filesystem::path> scenes;
+  LoadOptions load;  ///< The same for all of them.
   std::vector<Accelerator> accelerators;  ///< At least one; the others are compared with it.
   std::vector<int> threads;               ///< Empty: one, and all that the machine has.
   ImageSize size{512, 512};

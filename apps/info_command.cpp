@@ -128,7 +128,7 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
 }  // namespace
 
 int run_info(const InfoOptions& options) {
-  const LoadedScene loaded = load_scene(options.scene);
+  const LoadedScene loaded = load_scene(options.scene, options.load);
   const std::string text = options.is_json ? to_json_text(options, loaded) : to_text(options, loaded);
   std::fputs(text.c_str(), stdout);
   return exit_done;

@@ -9,6 +9,7 @@
 #include "apps/arguments.h"
 #include "apps/display_arguments.h"
 #include "apps/messages.h"
+#include "apps/scene_arguments.h"
 #include "apps/usage_error.h"
 
 namespace candil {
@@ -168,6 +169,7 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
   add_output_arguments(app, arguments, options);
   add_sampling_arguments(arguments, options.settings);
   add_accelerator_argument(arguments, options.accelerator);
+  add_scene_arguments(arguments, options.load);
   add_camera_arguments(arguments, options.camera);
   add_light_arguments(arguments, options.environment);
   app.footer(footer);

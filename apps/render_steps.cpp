@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void load(const RenderOptions& options, PreparedScene& prepared) {
-  LoadedScene loaded = load_scene(options.scene);
+  LoadedScene loaded = load_scene(options.scene, options.load);
   prepared.warnings = std::move(loaded.warnings);
   prepared.scene = std::move(loaded.scene);
   prepared.files = std::move(loaded.files);

@@ -9,6 +9,7 @@
 
 #include "core/affine.h"
 #include "core/image.h"
+#include "core/material.h"
 #include "core/math.h"
 
 namespace candil {
@@ -53,77 +54,6 @@ struct Instance {
   Affine to_world;
   /// The object's vertices already are in world space and `to_world` is the identity (see bake_single_instances()).
   bool is_world_space = false;
-};
-
-enum class Wrap : std::uint8_t { repeat, clamp, mirror };
-enum class Filter : std::uint8_t { nearest, bilinear };
-
-/// How an image is looked up; several textures may share one image.
-struct Texture {
-  std::uint32_t image = 0;  ///< Into Scene::images.
-  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  Filter filter = Filter::bilinear;
-};
-
-/// A material's use of a texture. `row_u` and `row_v` map (u, v, 1) to the coordinates that are looked up
-/// (KHR_texture_transform as an affine map).
-struct TextureSlot {
-  std::uint32_t texture = invalid_id;  ///< Into Scene::textures; invalid_id: no texture.
-  std::uint32_t uv_set = 0;            ///< 0 or 1.
-  Vec3 row_u{1, 0, 0}, row_v{0, 1, 0};
-
-  bool is_used() const { return texture != invalid_id; }
-};
-
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-
-/// Which closure a material becomes; emission, alpha, sides and normal map are common to all.
-enum class MaterialModel : std::uint8_t {
-  metallic_roughness,  ///< glTF 2.0 with extensions; also dielectrics, smooth and rough.
-  phong,      ///< base_color / pi + specular_color (n + 2) / (2 pi) cos^n, n = phong_exponent; infinite: a mirror.
-  conductor,  ///< GGX of `roughness` with Fresnel's equations of conductor_eta and conductor_k, times base_color.
-};
-
-/// glTF 2.0 metallic-roughness with extensions; the defaults are the specification's. Factors multiply textures.
-struct Material {
-  std::string name;
-  MaterialModel model = MaterialModel::metallic_roughness;
-  Vec4 base_color{1.0f};  ///< Linear RGBA.
-  TextureSlot base_color_texture;
-  float metallic = 1, roughness = 1;       ///< Roughness is perceptual: alpha = roughness squared.
-  TextureSlot metallic_roughness_texture;  ///< G: roughness, B: metallic.
-  TextureSlot normal_texture;
-  float normal_scale = 1;
-  TextureSlot occlusion_texture;  ///< R. Read for `info` only: light transport computes occlusion itself.
-  float occlusion_strength = 1;
-  Vec3 emission{0.0f};  ///< emissiveFactor times emissiveStrength; radiance, W/(sr m2) = nit.
-  TextureSlot emission_texture;
-  AlphaMode alpha_mode = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;
-  bool is_double_sided = false;
-  bool is_unlit = false;         ///< KHR_materials_unlit: base colour is the emitted radiance.
-  float ior = 1.5f;              ///< KHR_materials_ior; 0 means an infinite one (Fresnel term 1).
-  float specular = 1;            ///< KHR_materials_specular.
-  TextureSlot specular_texture;  ///< A.
-  Vec3 specular_color{1.0f};
-  TextureSlot specular_color_texture;  ///< sRGB.
-  float transmission = 0;              ///< KHR_materials_transmission.
-  TextureSlot transmission_texture;    ///< R.
-  float thickness = 0;                 ///< KHR_materials_volume; 0: thin-walled. Rays measure it themselves.
-  Vec3 attenuation_color{1.0f};
-  float attenuation_distance = infinity;  ///< Metres.
-  float phong_exponent = infinity;
-  Vec3 conductor_eta{0.2f}, conductor_k{3.0f};  ///< Complex index of refraction, eta - i k, for red, green, blue.
-
-  bool is_textured() const {
-    // All bits are set in the id of no texture.
-    return (base_color_texture.texture & metallic_roughness_texture.texture & normal_texture.texture &
-            emission_texture.texture & specular_texture.texture & specular_color_texture.texture &
-            transmission_texture.texture) != invalid_id;
-  }
-  bool is_transmissive() const { return transmission > 0; }
-  bool is_volume() const { return transmission > 0 && thickness > 0; }
-  bool is_emissive() const { return !is_black(emission) || is_unlit; }
 };
 
 enum class CameraKind : std::uint8_t { perspective, orthographic };

@@ -126,9 +126,15 @@ struct PlacedNode {
       true;  ///< KHR_node_visibility of it and its parents: meshes and lights are shown, cameras do not care.
 };
 
-/// All nodes of the default scene (else of the first, else of all), parents first. Throws InputError for
-/// cycles, nodes with two parents and transforms that overflow.
-std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warnings);
+/// All nodes of the scene that is `chosen` by its index or name; of none, the default scene (else of the first, else of
+/// all). Parents first. Throws InputError for a choice that is not there, cycles, nodes with two parents and transforms
+/// that overflow.
+std::vector<PlacedNode> place_nodes(const GltfDocument& document, const std::string& chosen, Warnings& warnings);
+
+/// The element of an array of the file that a person chose by its index or name; a name goes before an index. Throws
+/// InputError, with what there is, for a choice that is not there. `kind` is its name in messages: "scene".
+std::size_t find_choice(const GltfDocument& document, const char* kind, const std::vector<std::string>& names,
+                        const std::string& choice);
 
 /// Adds to the scene what each node carries.
 void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
@@ -137,6 +143,6 @@ void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& no
 void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
 
 /// The whole loader for .gltf and .glb.
-LoadedScene load_gltf(const std::filesystem::path& path);
+LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options);
 
 }  // namespace candil

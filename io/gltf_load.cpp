@@ -20,7 +20,7 @@ void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warni
 
 }  // namespace
 
-LoadedScene load_gltf(const std::filesystem::path& path) {
+LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
   const GltfDocument document(path);
   LoadedScene loaded;
   Warnings warnings;
@@ -28,7 +28,7 @@ LoadedScene load_gltf(const std::filesystem::path& path) {
 
   TextureTable textures(document, loaded.scene, warnings);
   MaterialTable materials(document, loaded.scene, textures, warnings);
-  const std::vector<PlacedNode> nodes = place_nodes(document, warnings);
+  const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
   add_instances(document, nodes, loaded.scene, materials, warnings);
   add_cameras(document, nodes, loaded.scene, warnings);
   add_lights(document, nodes, loaded.scene, warnings);

@@ -167,13 +167,10 @@ class PrimitiveReader {
 
 /// Warns where the material looks up uvs that the mesh does not have; they read as (0, 0).
 void check_uv_sets(const Mesh& mesh, const Material& material, const std::string& place, Warnings& warnings) {
-  for (const TextureSlot* slot :
-       {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-        &material.occlusion_texture, &material.emission_texture, &material.specular_texture,
-        &material.specular_color_texture, &material.transmission_texture}) {
-    if (!slot->is_used() || !mesh.uvs[slot->uv_set].empty()) continue;
-    warnings.add(place, "has no TEXCOORD_" + std::to_string(slot->uv_set) + " for the textures of its material");
-  }
+  for_each_texture_slot(material, [&](const TextureSlot& slot) {
+    if (!slot.is_used() || !mesh.uvs[slot.uv_set].empty()) return;
+    warnings.add(place, "has no TEXCOORD_" + std::to_string(slot.uv_set) + " for the textures of its material");
+  });
 }
 
 }  // namespace

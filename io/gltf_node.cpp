@@ -78,17 +78,25 @@ std::vector<int> find_parents(const GltfDocument& document) {
   return parents;
 }
 
+std::size_t choose_scene(const GltfDocument& document, const std::string& chosen) {
+  if (chosen.empty()) return static_cast<std::size_t>(std::max(document.model().defaultScene, 0));
+  std::vector<std::string> names;
+  for (const tinygltf::Scene& scene : document.model().scenes) names.push_back(scene.name);
+  return find_choice(document, "scene", names, chosen);
+}
+
 /// Roots of the scene that is shown, in order.
-std::vector<int> find_roots(const GltfDocument& document, const std::vector<int>& parents, Warnings& warnings) {
+std::vector<int> find_roots(const GltfDocument& document, const std::vector<int>& parents, const std::string& chosen,
+                            Warnings& warnings) {
   const tinygltf::Model& model = document.model();
   std::vector<int> roots;
-  if (model.scenes.empty()) {
+  if (model.scenes.empty() && chosen.empty()) {
     for (std::size_t n = 0; n < parents.size(); ++n) {
       if (parents[n] < 0) roots.push_back(static_cast<int>(n));
     }
     return roots;
   }
-  const auto scene = static_cast<std::size_t>(std::max(model.defaultScene, 0));
+  const std::size_t scene = choose_scene(document, chosen);
   for (const int node : model.scenes[scene].nodes) {
     if (parents[static_cast<std::size_t>(node)] >= 0) {
       warnings.add(indexed("scenes", scene) + ".nodes",
@@ -120,9 +128,9 @@ void check_reach(const GltfDocument& document, const Bounds& bounds, const Place
 
 }  // namespace
 
-std::vector<PlacedNode> place_nodes(const GltfDocument& document, Warnings& warnings) {
+std::vector<PlacedNode> place_nodes(const GltfDocument& document, const std::string& chosen, Warnings& warnings) {
   const std::vector<tinygltf::Node>& nodes = document.model().nodes;
-  const std::vector<int> roots = find_roots(document, find_parents(document), warnings);
+  const std::vector<int> roots = find_roots(document, find_parents(document), chosen, warnings);
   std::vector<PlacedNode> placed, pending;
   std::vector<bool> is_placed(nodes.size());
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) {

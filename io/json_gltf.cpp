@@ -21,11 +21,9 @@ void append(std::vector<T>& all, std::vector<T>& some) {
 }
 
 void shift_textures(Material& material, std::uint32_t by) {
-  for (TextureSlot* slot :
-       {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-        &material.occlusion_texture, &material.emission_texture, &material.specular_texture,
-        &material.specular_color_texture, &material.transmission_texture})
-    if (slot->is_used()) slot->texture += by;
+  for_each_texture_slot(material, [&](TextureSlot& slot) {
+    if (slot.is_used()) slot.texture += by;
+  });
 }
 
 /// Every id of `part` moved behind those of `scene`.
@@ -60,7 +58,7 @@ std::size_t decoded_bytes(const Scene& part) {
 
 LoadedScene load_part(const JsonNode& file, const std::filesystem::path& path) {
   try {
-    return load_gltf(path);
+    return load_gltf(path, {});
   } catch (const InputError& error) {
     file.fail(error.what());
   }

@@ -37,16 +37,22 @@ bool looks_like_gltf(std::string_view text) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
+LoadedScene without_choice(LoadedScene loaded, const LoadOptions& options) {
+  if (options != LoadOptions{}) loaded.warnings.push_back("only glTF files have scenes to choose from");
+  return loaded;
+}
+
 }  // namespace
 
-LoadedScene load_scene(const std::filesystem::path& path) {
-  if (path.extension() == ".json" && is_json_scene(path)) return load_json_scene(path);
+LoadedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
+  if (path.extension() == ".json" && is_json_scene(path)) return without_choice(load_json_scene(path), options);
   const std::string start = read_start(path);
-  if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply")) return load_ply_scene(path);
+  if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply"))
+    return without_choice(load_ply_scene(path), options);
   // What cannot be opened gets its message from the reader.
   if (!start.empty() && !looks_like_gltf(start))
     throw InputError(path.string(), "", "is no .gltf, .glb, .json or .ply file");
-  return load_gltf(path);
+  return load_gltf(path, options);
 }
 
 }  // namespace candil

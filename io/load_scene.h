@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/load_options.h"
 
 namespace candil {
 
@@ -34,7 +35,8 @@ struct LoadedScene {
 };
 
 /// Loads .gltf, .glb, .ply and .json (a scene as docs/scene-format.md has it, or glTF). Throws InputError when the file
-/// cannot be used.
-LoadedScene load_scene(const std::filesystem::path& path);
+/// cannot be used, or has not what the options choose; PLY and JSON scenes have nothing to choose, other options than
+/// the defaults make a warning.
+LoadedScene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace candil

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/error.h"
 #include "tests/io/gltf_sample.h"
 
 namespace candil::test {
@@ -75,6 +76,24 @@ TEST(GltfNode, MeshesUsedTwiceAreInstances) {
   EXPECT_EQ(scene.instances[0].name, "a");
   EXPECT_FALSE(scene.instances[0].is_world_space);
   EXPECT_EQ(scene.instances[1].to_world.translation, Vec3(0, 0, 5));
+}
+
+TEST(GltfNode, ShowsTheSceneThatIsChosen) {
+  const auto shown = [](const std::string& choice) {
+    std::string names;
+    const GltfSample sample = sample_with_nodes({R"({"mesh":0,"name":"a"})", R"({"mesh":0,"name":"b"})"},
+                                                R"(,"scenes":[{"name":"1","nodes":[0]},{"nodes":[1]}])");
+    LoadOptions options;
+    options.scene = choice;
+    for (const Instance& instance : load_sample(sample, options).scene.instances) names += instance.name;
+    return names;
+  };
+  EXPECT_EQ(shown(""), "a");
+  EXPECT_EQ(shown("1"), "a") << "a name goes before an index";
+  EXPECT_EQ(shown("0"), "a");
+  EXPECT_THROW(shown("2"), InputError);
+  EXPECT_THROW(shown("c"), InputError);
+  EXPECT_THROW(shown("0x"), InputError);
 }
 
 TEST(GltfNode, ShowsTheDefaultSceneOnly) {

@@ -62,13 +62,15 @@ std::string GltfSample::json() const {
   return json + "}";
 }
 
-LoadedScene load_text(const std::string& text) {
+LoadedScene load_text(const std::string& text, const LoadOptions& options) {
   const TemporaryFolder folder;
   write_text(folder / "model.gltf", text);
-  return load_scene(folder / "model.gltf");
+  return load_scene(folder / "model.gltf", options);
 }
 
-LoadedScene load_sample(const GltfSample& sample) { return load_text(sample.json()); }
+LoadedScene load_sample(const GltfSample& sample, const LoadOptions& options) {
+  return load_text(sample.json(), options);
+}
 
 std::string load_error(const std::string& text) {
   try {

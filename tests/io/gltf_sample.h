@@ -41,8 +41,8 @@ struct GltfSample {
 };
 
 /// Loads the text as "model.gltf" in a folder that vanishes again.
-LoadedScene load_text(const std::string& text);
-LoadedScene load_sample(const GltfSample& sample);
+LoadedScene load_text(const std::string& text, const LoadOptions& options = {});
+LoadedScene load_sample(const GltfSample& sample, const LoadOptions& options = {});
 
 /// The message of the InputError that the text gives, without the folder; empty if it loads.
 std::string load_error(const std::string& text);

@@ -1,0 +1,13 @@
+#include "apps/scene_arguments.h"
+
+#include "apps/arguments.h"
+
+namespace candil {
+
+void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
+  arguments.group("Scene");
+  arguments.add("--scene", "INDEX|NAME", "A scene of the glTF file (default: the one the file names, else the first)",
+                [&](const auto&, const auto& text) { options.scene = text; });
+}
+
+}  // namespace candil
