@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/io/gltf_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

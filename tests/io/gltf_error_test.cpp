@@ -2,7 +2,7 @@
 
 #include "io/error.h"
 #include "io/resource.h"
-#include "tests/io/gltf_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 #include "tests/support/temporary_folder.h"
 
 namespace candil::test {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "io/error.h"
-#include "tests/io/gltf_sample.h"
 #include "tests/io/image_samples.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "tests/io/gltf_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

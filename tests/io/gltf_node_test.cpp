@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/error.h"
-#include "tests/io/gltf_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

@@ -7,8 +7,8 @@
 #include "io/error.h"
 #include "io/image_file.h"
 #include "io/json_schema.h"
-#include "tests/io/gltf_sample.h"
 #include "tests/io/json_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

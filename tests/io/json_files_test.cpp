@@ -3,9 +3,9 @@
 
 #include "io/error.h"
 #include "io/json_internal.h"
-#include "tests/io/gltf_sample.h"
 #include "tests/io/json_sample.h"
 #include "tests/io/ply_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/metals.h"
-#include "tests/io/gltf_sample.h"
 #include "tests/io/json_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/io/gltf_sample.h"
+#include "tests/support/gltf/gltf_sample.h"
 
 #include <cstdint>
 
