@@ -1,17 +1,39 @@
-/// Which glTF extensions candil has.
+/// Which glTF extensions candil knows, and how well. One table says it all: what is read, what a file may require, what
+/// `info` and --list-extensions tell.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace candil {
 
+enum class GltfTier {
+  full,          ///< Read, and rendered as its text has it.
+  partial,       ///< Read, but approximated or with parts missing.
+  harmless,      ///< Not read; by its own text it cannot change a still image of the default state.
+  experimental,  ///< Only with a switch.
+  unsupported,
+};
+
+struct GltfExtension {
+  std::string_view name;
+  GltfTier tier;
+  std::string_view remark = {};           ///< What is approximated, missing or ignored, in a few words.
+  std::string_view missing_package = {};  ///< Without which this build does not have it.
+
+  /// Whether this build reads and renders it.
+  bool is_honoured() const { return (tier == GltfTier::full || tier == GltfTier::partial) && missing_package.empty(); }
+};
+
+/// All that candil knows of, by name.
+std::span<const GltfExtension> gltf_extensions();
+
 /// Read and rendered.
 bool is_supported_gltf_extension(std::string_view extension);
 
-/// Not read, but may be ignored even when a file requires it, since by its own text it cannot change a still image of
-/// the default state: metadata, interaction, and variants, whose text makes the primitives' own materials the default.
+/// May be ignored even when a file requires it.
 bool is_harmless_gltf_extension(std::string_view extension);
 
 /// Throws InputError(name, "extensionsRequired", ...) that names every extension that is neither of the two.

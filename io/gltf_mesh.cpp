@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "io/gltf_accessor.h"
 #include "io/gltf_geometry.h"
@@ -173,6 +174,18 @@ void check_uv_sets(const Mesh& mesh, const Material& material, const std::string
   });
 }
 
+/// The uvs that tangents follow where the file has none; nothing for a material that needs no tangents, which would
+/// cost 16 bytes a vertex. One tangent space serves all textures: those of the extensions "should use the same texture
+/// coordinates" as the normal texture.
+std::optional<std::uint32_t> uv_set_of_tangents(const Material& material) {
+  if (material.normal_texture.is_used()) return material.normal_texture.uv_set;
+  if (!material.extensions) return {};
+  const MaterialExtensions& more = *material.extensions;
+  if (more.clearcoat_normal_texture.is_used()) return more.clearcoat_normal_texture.uv_set;
+  if (more.anisotropy > 0) return more.anisotropy_texture.uv_set;
+  return {};
+}
+
 }  // namespace
 
 MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings)
@@ -197,12 +210,9 @@ Object MeshReader::read(std::size_t index) {
     mesh->material = materials_.material(primitive.material);
     const Material& material = scene_.materials[mesh->material];
     check_uv_sets(*mesh, material, place, warnings_);
-    // Nothing but normal maps needs tangents; they would cost 16 bytes a vertex.
-    if (const TextureSlot& slot = material.normal_texture; slot.is_used()) {
+    if (const std::optional<std::uint32_t> uv_set = uv_set_of_tangents(material)) {
       reader.read_tangents(*mesh);
-      if (mesh->tangents.empty() && !mesh->uvs[slot.uv_set].empty()) {
-        generate_tangents(*mesh, static_cast<int>(slot.uv_set));
-      }
+      if (mesh->tangents.empty() && !mesh->uvs[*uv_set].empty()) generate_tangents(*mesh, static_cast<int>(*uv_set));
     }
     scene_.meshes.push_back(std::move(*mesh));
     ++object.mesh_count;

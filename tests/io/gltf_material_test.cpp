@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "io/error.h"
 #include "tests/io/image_samples.h"
@@ -83,6 +86,132 @@ TEST(GltfMaterial, ReadsExtensions) {
   EXPECT_TRUE(material.is_unlit);
 }
 
+TEST(GltfMaterial, ReadsLayers) {
+  const Material material = load_material(R"({"extensions":{
+      "KHR_materials_clearcoat":{"clearcoatFactor":0.5,"clearcoatTexture":{"index":0},"clearcoatRoughnessFactor":0.25,
+        "clearcoatRoughnessTexture":{"index":1},"clearcoatNormalTexture":{"index":2,"scale":-2}},
+      "KHR_materials_sheen":{"sheenColorFactor":[0.1,0.2,0.3],"sheenColorTexture":{"index":3},
+        "sheenRoughnessFactor":0.75,"sheenRoughnessTexture":{"index":0}},
+      "KHR_materials_anisotropy":{"anisotropyStrength":0.5,"anisotropyRotation":-7,"anisotropyTexture":{"index":1}},
+      "KHR_materials_iridescence":{"iridescenceFactor":0.5,"iridescenceTexture":{"index":2},"iridescenceIor":1.8,
+        "iridescenceThicknessMinimum":500,"iridescenceThicknessMaximum":200,"iridescenceThicknessTexture":{"index":3}},
+      "KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5,"diffuseTransmissionTexture":{"index":0},
+        "diffuseTransmissionColorFactor":[1,0.5,0.25],"diffuseTransmissionColorTexture":{"index":1}},
+      "KHR_materials_volume_scatter":{"multiscatterColor":[0.5,0.25,0],"scatterAnisotropy":-0.5},
+      "KHR_materials_transmission":{"transmissionFactor":1},"KHR_materials_volume":{"thicknessFactor":1},
+      "KHR_materials_dispersion":{"dispersion":2}}})");
+  ASSERT_TRUE(material.extensions);
+  const MaterialExtensions& more = *material.extensions;
+  EXPECT_EQ(more.clearcoat, 0.5f);
+  EXPECT_EQ(more.clearcoat_roughness, 0.25f);
+  EXPECT_EQ(more.clearcoat_normal_scale, -2);
+  EXPECT_EQ(more.sheen_color, Vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(more.sheen_roughness, 0.75f);
+  EXPECT_EQ(more.anisotropy, 0.5f);
+  EXPECT_EQ(more.anisotropy_rotation, -7);
+  EXPECT_EQ(more.iridescence, 0.5f);
+  EXPECT_EQ(more.iridescence_ior, 1.8f);
+  EXPECT_EQ(more.iridescence_thickness_low, 500);
+  EXPECT_EQ(more.iridescence_thickness, 200);
+  EXPECT_EQ(more.dispersion, 2);
+  EXPECT_EQ(more.diffuse_transmission, 0.5f);
+  EXPECT_EQ(more.diffuse_transmission_color, Vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(more.multiscatter_color, Vec3(0.5f, 0.25f, 0));
+  EXPECT_EQ(more.scatter_anisotropy, -0.5f);
+  const std::array slots = {&more.clearcoat_texture,
+                            &more.clearcoat_roughness_texture,
+                            &more.clearcoat_normal_texture,
+                            &more.sheen_color_texture,
+                            &more.sheen_roughness_texture,
+                            &more.anisotropy_texture,
+                            &more.iridescence_texture,
+                            &more.iridescence_thickness_texture,
+                            &more.diffuse_transmission_texture,
+                            &more.diffuse_transmission_color_texture};
+  for (std::size_t i = 0; i < slots.size(); ++i) EXPECT_TRUE(slots[i]->is_used()) << i;
+}
+
+TEST(GltfMaterial, DefaultsOfLayersAreThoseOfTheirTexts) {
+  const MaterialExtensions more = *load_material(R"({"extensions":{
+      "KHR_materials_clearcoat":{"clearcoatFactor":1},"KHR_materials_sheen":{"sheenColorFactor":[1,1,1]},
+      "KHR_materials_anisotropy":{"anisotropyStrength":1},"KHR_materials_iridescence":{"iridescenceFactor":1},
+      "KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":1}}})")
+                                       .extensions;
+  EXPECT_EQ(more.clearcoat_roughness, 0);
+  EXPECT_EQ(more.sheen_roughness, 0);
+  EXPECT_EQ(more.anisotropy_rotation, 0);
+  EXPECT_EQ(more.iridescence_ior, 1.3f);
+  EXPECT_EQ(more.iridescence_thickness_low, 100);
+  EXPECT_EQ(more.iridescence_thickness, 400);
+  EXPECT_EQ(more.dispersion, 0);
+  EXPECT_EQ(more.diffuse_transmission_color, Vec3(1));
+  EXPECT_EQ(more.multiscatter_color, Vec3(0));
+}
+
+// Materials without an effect of any extension must not pay for it: neither time nor textures.
+TEST(GltfMaterial, LayersWithoutEffectAreAbsent) {
+  for (const char* extensions :
+       {R"("KHR_materials_clearcoat":{"clearcoatTexture":{"index":0}})",
+        R"("KHR_materials_sheen":{"sheenRoughnessFactor":1,"sheenColorTexture":{"index":0}})",
+        R"("KHR_materials_anisotropy":{"anisotropyRotation":1,"anisotropyTexture":{"index":0}})",
+        R"("KHR_materials_iridescence":{"iridescenceTexture":{"index":0}})",
+        R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionTexture":{"index":0}})",
+        R"("KHR_materials_volume_scatter":{"scatterAnisotropy":0.5})",
+        R"("KHR_materials_dispersion":{"dispersion":1},"KHR_materials_transmission":{"transmissionFactor":1})",
+        R"("KHR_materials_unlit":{},"KHR_materials_clearcoat":{"clearcoatFactor":1})"}) {
+    const Scene scene = load_sample(sample_with_material(R"({"extensions":{)" + std::string(extensions) + "}}")).scene;
+    EXPECT_FALSE(scene.materials.at(0).extensions) << extensions;
+    EXPECT_TRUE(scene.images.empty()) << extensions;
+  }
+}
+
+TEST(GltfMaterial, ClampsFactorsOfLayersAndSaysSo) {
+  const LoadedScene loaded = load_sample(sample_with_material(R"({"extensions":{
+      "KHR_materials_clearcoat":{"clearcoatFactor":2,"clearcoatRoughnessFactor":-1},
+      "KHR_materials_sheen":{"sheenColorFactor":[2,0,0]},"KHR_materials_anisotropy":{"anisotropyStrength":1.5},
+      "KHR_materials_iridescence":{"iridescenceFactor":1,"iridescenceIor":0.5,"iridescenceThicknessMinimum":-1},
+      "KHR_materials_volume_scatter":{"multiscatterColorFactor":[1,1,1],"scatterAnisotropy":-1}}})"));
+  const MaterialExtensions more = *loaded.scene.materials.at(0).extensions;
+  EXPECT_EQ(more.clearcoat, 1);
+  EXPECT_EQ(more.clearcoat_roughness, 0);
+  EXPECT_EQ(more.sheen_color, Vec3(1, 0, 0));
+  EXPECT_EQ(more.anisotropy, 1);
+  EXPECT_EQ(more.iridescence_ior, 1);
+  EXPECT_EQ(more.iridescence_thickness_low, 0);
+  EXPECT_LT(more.multiscatter_color.x, 1);
+  EXPECT_GT(more.scatter_anisotropy, -1);
+  ASSERT_EQ(loaded.warnings.size(), 8u);
+  EXPECT_EQ(loaded.warnings[0],
+            "materials[0].extensions.KHR_materials_volume_scatter.multiscatterColorFactor: 1 is out of range, 0.9999 "
+            "is used");
+}
+
+TEST(GltfMaterial, LayersAreCheckedBeforeTheyAreRead) {
+  for (const auto& [extension, place] : std::vector<std::pair<std::string, std::string>>{
+           {R"("KHR_materials_clearcoat":{"clearcoatNormalTexture":{"index":9}})", "clearcoatNormalTexture.index"},
+           {R"("KHR_materials_sheen":{"sheenColorFactor":[1,1]})", "sheenColorFactor"},
+           {R"("KHR_materials_anisotropy":{"anisotropyTexture":{}})", "anisotropyTexture.index"},
+           {R"("KHR_materials_iridescence":{"iridescenceIor":"glass"})", "iridescenceIor"},
+           {R"("KHR_materials_dispersion":{"dispersion":[]})", "dispersion"},
+           {R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionTexture":7})", "diffuseTransmissionTexture"},
+           {R"("KHR_materials_volume_scatter":{"multiscatterColor":1})", "multiscatterColor"}}) {
+    const std::string error = load_error(sample_with_material(R"({"extensions":{)" + extension + "}}"));
+    EXPECT_NE(error.find("materials[0].extensions.KHR_materials_"), std::string::npos) << error;
+    EXPECT_NE(error.find(place + ":"), std::string::npos) << error;
+  }
+}
+
+// Anisotropy and the normals of a coat need a tangent space also where the base has no normal texture.
+TEST(GltfMaterial, LayersGetTangents) {
+  for (const char* extension :
+       {R"("KHR_materials_anisotropy":{"anisotropyStrength":1})",
+        R"("KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatNormalTexture":{"index":0}})"}) {
+    const LoadedScene loaded = load_sample(sample_with_material(R"({"extensions":{)" + std::string(extension) + "}}"));
+    ASSERT_FALSE(loaded.scene.meshes.at(0).tangents.empty()) << extension;
+    EXPECT_EQ(loaded.scene.meshes[0].tangents[0], Vec4(1, 0, 0, -1)) << "u along +X, v along +Y";
+  }
+}
+
 TEST(GltfMaterial, ClampsFactorsOutOfRangeAndSaysSo) {
   const LoadedScene loaded = load_sample(sample_with_material(R"({"pbrMetallicRoughness":{"metallicFactor":1.5,
       "roughnessFactor":-1,"baseColorFactor":[1,1,2,1]},"alphaMode":"DITHER","extensions":{"KHR_materials_ior":{"ior":0.5},
@@ -118,6 +247,35 @@ TEST(GltfMaterial, AppliesTextureTransforms) {
                                  .base_color_texture;
   const Vec3 marker(0.421f, 1.016f, 1);
   EXPECT_NEAR(glm::dot(turned.row_u, marker), glm::dot(turned.row_v, marker), 2e-3f) << "on the arrow's diagonal";
+}
+
+// Whatever the slot: texture 1, the second uv set, and the transform.
+TEST(GltfMaterial, AppliesTextureTransformsToEverySlot) {
+  const std::string info = R"({"index":1,"texCoord":0,"extensions":{"KHR_texture_transform":{"offset":[0.5,0.25],
+      "scale":[2,3],"texCoord":1}}})";
+  const Material material = load_material(
+      R"({"pbrMetallicRoughness":{"baseColorTexture":)" + info + R"(,"metallicRoughnessTexture":)" + info +
+      R"(},"normalTexture":)" + info + R"(,"occlusionTexture":)" + info + R"(,"emissiveTexture":)" + info +
+      R"(,"extensions":{"KHR_materials_specular":{"specularTexture":)" + info + R"(,"specularColorTexture":)" + info +
+      R"(},"KHR_materials_transmission":{"transmissionTexture":)" + info +
+      R"(},"KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatTexture":)" + info +
+      R"(,"clearcoatRoughnessTexture":)" + info + R"(,"clearcoatNormalTexture":)" + info +
+      R"(},"KHR_materials_sheen":{"sheenColorFactor":[1,1,1],"sheenColorTexture":)" + info +
+      R"(,"sheenRoughnessTexture":)" + info +
+      R"(},"KHR_materials_anisotropy":{"anisotropyStrength":1,"anisotropyTexture":)" + info +
+      R"(},"KHR_materials_iridescence":{"iridescenceFactor":1,"iridescenceTexture":)" + info +
+      R"(,"iridescenceThicknessTexture":)" + info +
+      R"(},"KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":1,"diffuseTransmissionTexture":)" + info +
+      R"(,"diffuseTransmissionColorTexture":)" + info + "}}}");
+  int count = 0;
+  for_each_texture_slot(material, [&](const TextureSlot& slot) {
+    EXPECT_TRUE(slot.is_used()) << "slot " << count;
+    EXPECT_EQ(slot.uv_set, 1u) << "slot " << count;
+    EXPECT_EQ(slot.row_u, Vec3(2, 0, 0.5f)) << "slot " << count;
+    EXPECT_EQ(slot.row_v, Vec3(0, 3, 0.25f)) << "slot " << count;
+    ++count;
+  });
+  EXPECT_EQ(count, 18);
 }
 
 TEST(GltfMaterial, IgnoresUvSetsBeyondTwo) {
