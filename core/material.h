@@ -36,6 +36,9 @@ enum class MaterialModel : std::uint8_t {
   metallic_roughness,  ///< glTF 2.0 with extensions; also dielectrics, smooth and rough.
   phong,      ///< base_color / pi + specular_color (n + 2) / (2 pi) cos^n, n = phong_exponent; infinite: a mirror.
   conductor,  ///< GGX of `roughness` with Fresnel's equations of conductor_eta and conductor_k, times base_color.
+  /// KHR_materials_pbrSpecularGlossiness: base_color is diffuse, specular_color the reflectance at normal incidence,
+  /// 1 - roughness the glossiness; specular_color_texture holds the glossiness in A.
+  specular_glossiness,
 };
 
 /// What few materials have, of glTF's extensions; the defaults are theirs and change nothing. Factors multiply

@@ -27,7 +27,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_materials_emissive_strength", GltfTier::full},
     {"KHR_materials_ior", GltfTier::full},
     {"KHR_materials_iridescence", GltfTier::unsupported},
-    {"KHR_materials_pbrSpecularGlossiness", GltfTier::unsupported},
+    {"KHR_materials_pbrSpecularGlossiness", GltfTier::full},
     {"KHR_materials_sheen", GltfTier::unsupported},
     {"KHR_materials_specular", GltfTier::full},
     {"KHR_materials_transmission", GltfTier::full},

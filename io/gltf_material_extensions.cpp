@@ -5,6 +5,20 @@ namespace candil {
 
 namespace {
 
+void read_specular_glossiness(const GltfProperties& properties, Material& material) {
+  material.model = MaterialModel::specular_glossiness;
+  material.base_color = Vec4(1);
+  material.base_color_texture = {};
+  properties.read("diffuseFactor", 0, 1, material.base_color);
+  properties.read("diffuseTexture", material.base_color_texture);
+  properties.read("specularFactor", 0, 1, material.specular_color);
+  properties.read("specularGlossinessTexture", material.specular_color_texture);
+  float glossiness = 1;
+  properties.read("glossinessFactor", 0, 1, glossiness);
+  material.roughness = 1 - glossiness;
+  material.metallic_roughness_texture = {};
+}
+
 void read_ior(const GltfProperties& properties, Material& material) {
   // Zero stands for an infinite index, everything else below 1 is out of range.
   properties.read("ior", 0, any_positive, material.ior);
@@ -100,6 +114,10 @@ bool has_effect(const MaterialExtensions& more) {
 
 void read_material_extensions(const MaterialSource& source, Material& material) {
   material.is_unlit = source.has_extension("KHR_materials_unlit");
+  if (const auto properties = source.extension("KHR_materials_pbrSpecularGlossiness")) {
+    read_specular_glossiness(*properties, material);
+    return;  // which excludes the others
+  }
   const auto visit = [&](const char* name, const auto& read, auto& target) {
     if (const auto properties = source.extension(name)) read(*properties, target);
   };

@@ -11,8 +11,18 @@ void GltfProperties::read(const char* key, double low, double high, float& value
 }
 
 void GltfProperties::read(const char* key, double low, double high, Vec3& color) const {
+  Vec4 padded(color, 1);
+  read_channels(key, 3, low, high, padded);
+  color = Vec3(padded);
+}
+
+void GltfProperties::read(const char* key, double low, double high, Vec4& color) const {
+  read_channels(key, 4, low, high, color);
+}
+
+void GltfProperties::read_channels(const char* key, int count, double low, double high, Vec4& color) const {
   if (!has(key)) return;
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < count; ++c) {
     color[c] = in_range(object_.Get(key).Get(c).GetNumberAsDouble(), low, high, place_ + "." + key, warnings_);
   }
 }

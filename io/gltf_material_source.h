@@ -27,12 +27,15 @@ class GltfProperties {
   /// Clamped to [low, high], with a warning; likewise each channel of a color.
   void read(const char* key, double low, double high, float& value) const;
   void read(const char* key, double low, double high, Vec3& color) const;
+  void read(const char* key, double low, double high, Vec4& color) const;
   void read(const char* key, TextureSlot& slot) const;
   /// A normalTextureInfo.
   void read(const char* key, TextureSlot& slot, float& scale) const;
   void warn(const char* key, const std::string& message) const;
 
  private:
+  void read_channels(const char* key, int count, double low, double high, Vec4& color) const;
+
   const tinygltf::Value& object_;
   const std::string place_;
   TextureTable& textures_;

@@ -47,6 +47,7 @@ bool has_specular(const Material& material) {
     case MaterialModel::phong:
       return !is_black(material.specular_color);
     case MaterialModel::conductor:
+    case MaterialModel::specular_glossiness:
       return true;
     case MaterialModel::metallic_roughness:
       break;
@@ -72,6 +73,22 @@ MetallicRoughness metallic_roughness(const Scene& scene, const Material& materia
   if (!material.metallic_roughness_texture.is_used()) return {material.metallic, material.roughness};
   const Vec4 texel = sample_texture(scene, material.metallic_roughness_texture, point.uv, ColorSpace::linear);
   return {material.metallic * texel.z, material.roughness * texel.y};
+}
+
+/// What the surface reflects at normal incidence is taken from its diffuse base (KHR_materials_pbrSpecularGlossiness).
+OpaqueParameters specular_glossiness(const Scene& scene, const Material& material, const SurfacePoint& point,
+                                     Vec3 diffuse) {
+  Vec4 texel(1);
+  if (material.specular_color_texture.is_used()) {
+    texel = sample_texture(scene, material.specular_color_texture, point.uv, ColorSpace::srgb);
+  }
+  const Vec3 specular = glm::min(material.specular_color * Vec3(texel), Vec3(1));
+  OpaqueParameters p;
+  p.roughness = 1 - (1 - material.roughness) * texel.w;
+  p.base = diffuse * (1 - max_component(specular));
+  p.coat_f0 = specular;
+  p.coat_f90 = Vec3(1);
+  return p;
 }
 
 }  // namespace
@@ -105,8 +122,12 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     return bsdf;
   }
 
-  const auto [metallic, roughness] = metallic_roughness(scene, material, point);
   const Vec3 local_o(0, 0, glm::dot(wo, normal));  // the lobes only look at the cosine here
+  if (material.model == MaterialModel::specular_glossiness) {
+    bsdf.opaque_.emplace(specular_glossiness(scene, material, point, base), tables.ggx(), local_o);
+    return bsdf;
+  }
+  const auto [metallic, roughness] = metallic_roughness(scene, material, point);
   if (material.model == MaterialModel::conductor) {
     bsdf.kind_ = Bsdf::Kind::conductor;
     bsdf.conductor_.emplace(ConductorParameters{roughness, base, material.conductor_eta, material.conductor_k,

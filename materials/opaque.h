@@ -1,4 +1,5 @@
 /// Metal and coated diffuse: the opaque part of the glTF material, as one GGX specular lobe over a diffuse base.
+/// (KHR_materials_pbrSpecularGlossiness is such a coat too.)
 ///
 /// glTF 2.0, appendix B: mix(fresnel_mix(diffuse, specular), conductor, metallic). Schlick's term is linear in f0 and
 /// f90, so metal and dielectric share one specular lobe. What the text leaves to the renderer:

@@ -86,6 +86,28 @@ TEST(GltfMaterial, ReadsExtensions) {
   EXPECT_TRUE(material.is_unlit);
 }
 
+TEST(GltfMaterial, ReadsSpecularGlossinessInsteadOfMetallicRoughness) {
+  const Material material = load_material(R"({"pbrMetallicRoughness":{"baseColorFactor":[0,0,0,0],
+      "metallicFactor":0.5,"metallicRoughnessTexture":{"index":0}},"extensions":{
+      "KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.1,0.2,0.3,0.4],"specularFactor":[0.5,0.6,0.7],
+        "glossinessFactor":0.75,"diffuseTexture":{"index":1},"specularGlossinessTexture":{"index":2,"texCoord":1}},
+      "KHR_materials_transmission":{"transmissionFactor":1}}})");
+  EXPECT_EQ(material.model, MaterialModel::specular_glossiness);
+  EXPECT_EQ(material.base_color, Vec4(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(material.specular_color, Vec3(0.5f, 0.6f, 0.7f));
+  EXPECT_EQ(material.roughness, 0.25f);
+  EXPECT_TRUE(material.base_color_texture.is_used());
+  EXPECT_EQ(material.specular_color_texture.uv_set, 1u);
+  EXPECT_FALSE(material.metallic_roughness_texture.is_used());
+  EXPECT_EQ(material.transmission, 0) << "which its text excludes";
+  const Material defaults = load_material(R"({"pbrMetallicRoughness":{"baseColorFactor":[0,0,0,0],
+      "baseColorTexture":{"index":0}},"extensions":{"KHR_materials_pbrSpecularGlossiness":{}}})");
+  EXPECT_EQ(defaults.base_color, Vec4(1));
+  EXPECT_FALSE(defaults.base_color_texture.is_used());
+  EXPECT_EQ(defaults.specular_color, Vec3(1));
+  EXPECT_EQ(defaults.roughness, 0);
+}
+
 TEST(GltfMaterial, ReadsLayers) {
   const Material material = load_material(R"({"extensions":{
       "KHR_materials_clearcoat":{"clearcoatFactor":0.5,"clearcoatTexture":{"index":0},"clearcoatRoughnessFactor":0.25,

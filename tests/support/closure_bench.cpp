@@ -64,6 +64,15 @@ Material conductor(float roughness, Vec3 eta, Vec3 k) {
   return m;
 }
 
+Material specular_glossiness(float roughness, Vec3 diffuse, Vec3 specular) {
+  Material m;
+  m.model = MaterialModel::specular_glossiness;
+  m.base_color = Vec4(diffuse, 1);
+  m.roughness = roughness;
+  m.specular_color = specular;
+  return m;
+}
+
 Material with(Material m, void (*change)(Material&)) {
   change(m);
   return m;
@@ -99,6 +108,9 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
       {"conductor_gold", conductor(r, Vec3(0.188f, 0.544f, 1.332f), Vec3(3.403f, 2.231f, 1.869f))},
       {"conductor_tinted",
        with(conductor(r, Vec3(2.7f), Vec3(3.7f)), [](Material& m) { m.base_color = Vec4(0.9f, 0.5f, 0.2f, 1); })},
+      {"specular_glossiness", specular_glossiness(r, Vec3(0.2f, 0.5f, 0.7f), Vec3(0.3f, 0.2f, 0.1f))},
+      {"specular_glossiness_diffuse", specular_glossiness(r, Vec3(1), Vec3(0)), true},
+      {"specular_glossiness_metal", specular_glossiness(r, Vec3(1), Vec3(1)), true},
       {"conductor_without_loss", conductor(r, Vec3(1e-3f), Vec3(30)), true},
   };
 }
