@@ -10,11 +10,12 @@ namespace candil {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> supported = {
+constexpr std::array<std::string_view, 13> supported = {
     "EXT_texture_webp",    "KHR_lights_punctual",    "KHR_materials_emissive_strength",
     "KHR_materials_ior",   "KHR_materials_specular", "KHR_materials_transmission",
     "KHR_materials_unlit", "KHR_materials_volume",   "KHR_mesh_quantization",
-    "KHR_node_visibility", "KHR_texture_transform",
+    "KHR_node_visibility", "KHR_texture_transform",  "KHR_texture_basisu",
+    "EXT_texture_avif",
 };
 
 constexpr std::array<std::string_view, 5> harmless = {
