@@ -17,6 +17,7 @@ string(REGEX MATCH "^[0-9]+" CANDIL_EMBREE_MAJOR "${embree_VERSION}")
 message(STATUS "Embree ${embree_VERSION}")
 
 find_package(CandilOpenImageIO REQUIRED)
+find_package(CandilZstd REQUIRED)
 
 # tinygltf is compiled into io/ with our own choice of its options: only its header is needed.
 find_path(CANDIL_TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)

@@ -11,6 +11,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/candilConfig.cmake"
   "${PROJECT_BINARY_DIR}/candilConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindCandilOpenImageIO.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindCandilZstd.cmake"
   DESTINATION "${package_dir}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes/" DESTINATION "${CMAKE_INSTALL_DATADIR}/candil/scenes"
   PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE

@@ -15,6 +15,7 @@
 
 namespace tinygltf {
 class Value;
+struct Texture;
 struct TextureInfo;
 }  // namespace tinygltf
 
@@ -55,16 +56,16 @@ class TextureTable {
   std::vector<std::filesystem::path> decode_images();
 
  private:
-  /// The image of a texture; EXT_texture_webp may bring a fallback for readers that have no WebP.
-  struct ImageChoice {
-    std::size_t first;
-    std::optional<std::size_t> fallback;
-    auto operator<=>(const ImageChoice&) const = default;
-  };
-  std::uint32_t image(ImageChoice choice);
+  /// The images of a texture in order of preference: the first that can be decoded is shown.
+  using ImageChoice = std::vector<std::size_t>;
+  ImageChoice images_of(const tinygltf::Texture& texture);
+  std::uint32_t image(const ImageChoice& choice);
   /// The first image with the same source: exporters list a file once per texture.
   std::size_t first_alike(std::size_t image);
   TextureImage decode(std::size_t index, std::vector<std::filesystem::path>& files) const;
+  /// The first image of the choice that can be decoded; `reason` becomes why that is not the very first.
+  TextureImage decode_first(const ImageChoice& choice, std::vector<std::filesystem::path>& files,
+                            std::string& reason) const;
 
   const GltfDocument& document_;
   Scene& scene_;

@@ -226,8 +226,11 @@ const std::map<std::string_view, Table>& tables() {
         {"source", Kind::reference, "images"},
         {"name", Kind::string},
         {"extensions", Kind::object, "texture extensions"}}},
-      {"texture extensions", {{"EXT_texture_webp", Kind::object, "webp"}}},
-      {"webp", {{"source", Kind::reference, "images", required}}},
+      {"texture extensions",
+       {{"KHR_texture_basisu", Kind::object, "other image"},
+        {"EXT_texture_avif", Kind::object, "other image"},
+        {"EXT_texture_webp", Kind::object, "other image"}}},
+      {"other image", {{"source", Kind::reference, "images"}}},
   };
   return all;
 }

@@ -61,22 +61,14 @@ std::uint32_t TextureTable::texture(int index) {
 
   const tinygltf::Model& model = document_.model();
   const tinygltf::Texture& source = model.textures[static_cast<std::size_t>(index)];
-  std::optional<std::size_t> core_image;
-  if (source.source >= 0) core_image = static_cast<std::size_t>(source.source);
-  std::optional<ImageChoice> choice;
-  const auto webp = source.extensions.find("EXT_texture_webp");
-  if (webp != source.extensions.end()) {
-    choice = ImageChoice{static_cast<std::size_t>(webp->second.Get("source").GetNumberAsInt()), core_image};
-  } else if (core_image) {
-    choice = ImageChoice{*core_image, {}};
-  }
+  const ImageChoice choice = images_of(source);
   const std::string place = indexed("textures", static_cast<std::size_t>(index));
-  if (!choice) {
+  if (choice.empty()) {
     warnings_.add(place, "has no image that can be read, it is ignored");
     return invalid_id;
   }
   Texture texture;
-  texture.image = image(*choice);
+  texture.image = image(choice);
   if (source.sampler >= 0) {
     const tinygltf::Sampler& sampler = model.samplers[static_cast<std::size_t>(source.sampler)];
     const std::string sampler_place = indexed("samplers", static_cast<std::size_t>(source.sampler));
@@ -95,9 +87,20 @@ std::size_t TextureTable::first_alike(std::size_t image) {
   return first_images_.try_emplace({source.uri, source.buffer_view}, image).first->second;
 }
 
-std::uint32_t TextureTable::image(ImageChoice choice) {
-  choice.first = first_alike(choice.first);
-  if (choice.fallback) choice.fallback = first_alike(*choice.fallback);
+/// A texture may have images in several containers, for readers of different abilities. Files that the extensions stand
+/// for come first, as the extensions want it: those for graphics cards, then the smaller files, then PNG and JPEG.
+TextureTable::ImageChoice TextureTable::images_of(const tinygltf::Texture& texture) {
+  ImageChoice images;
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_avif", "EXT_texture_webp"}) {
+    const auto extension = texture.extensions.find(name);
+    if (extension == texture.extensions.end() || !extension->second.Has("source")) continue;
+    images.push_back(first_alike(static_cast<std::size_t>(extension->second.Get("source").GetNumberAsInt())));
+  }
+  if (texture.source >= 0) images.push_back(first_alike(static_cast<std::size_t>(texture.source)));
+  return images;
+}
+
+std::uint32_t TextureTable::image(const ImageChoice& choice) {
   const auto [entry, is_new] = image_ids_.try_emplace(choice, static_cast<std::uint32_t>(image_choices_.size()));
   if (is_new) image_choices_.push_back(choice);
   return entry->second;
@@ -114,6 +117,18 @@ TextureImage TextureTable::decode(std::size_t index, std::vector<std::filesystem
   return decode_texture(encoded, name, document_.name(), place);
 }
 
+TextureImage TextureTable::decode_first(const ImageChoice& choice, std::vector<std::filesystem::path>& files,
+                                        std::string& reason) const {
+  for (std::size_t i = 0; i + 1 < choice.size(); ++i) {
+    try {
+      return decode(choice[i], files);
+    } catch (const InputError& error) {
+      if (reason.empty()) reason = error.what();
+    }
+  }
+  return decode(choice.back(), files);
+}
+
 std::vector<std::filesystem::path> TextureTable::decode_images() {
   const std::size_t count = image_choices_.size();
   scene_.images.resize(count);
@@ -125,16 +140,9 @@ std::vector<std::filesystem::path> TextureTable::decode_images() {
   std::atomic<std::size_t> decoded_bytes = 0;
 
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    const ImageChoice& choice = image_choices_[i];
     try {
       if (decoded_bytes > most_bytes) document_.fail("images", "need more than 8 GiB when decoded");
-      try {
-        scene_.images[i] = decode(choice.first, files[i]);
-      } catch (const InputError& error) {
-        if (!choice.fallback) throw;
-        fallback_reasons[i] = error.what();
-        scene_.images[i] = decode(*choice.fallback, files[i]);
-      }
+      scene_.images[i] = decode_first(image_choices_[i], files[i], fallback_reasons[i]);
       decoded_bytes += scene_.images[i].bytes();
     } catch (...) {
       errors[i] = std::current_exception();
@@ -145,7 +153,7 @@ std::vector<std::filesystem::path> TextureTable::decode_images() {
     if (errors[i]) std::rethrow_exception(errors[i]);
     all_files.insert(all_files.end(), files[i].begin(), files[i].end());
     if (!fallback_reasons[i].empty()) {
-      warnings_.add(indexed("images", image_choices_[i].first),
+      warnings_.add(indexed("images", image_choices_[i].front()),
                     "the fallback image is used (" + fallback_reasons[i] + ")");
     }
   }

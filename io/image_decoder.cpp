@@ -73,6 +73,20 @@ void divide_by_alpha(std::vector<std::uint8_t>& rgba) {
 
 }  // namespace
 
+void check_image_size(std::int64_t width, std::int64_t height, std::size_t encoded_bytes) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  if (width < 1 || height < 1) throw std::runtime_error("image without pixels (" + size + ")");
+  if (width > max_image_size || height > max_image_size)
+    throw std::runtime_error("image of " + size + " pixels; the limit is " + std::to_string(max_image_size) + " x " +
+                             std::to_string(max_image_size));
+  // Deflate reaches about 1030:1, which is 8240 one-bit pixels per byte, and other formats of real pictures stay far
+  // below: a header that promises more than this in a large image is damaged, or meant to eat memory.
+  constexpr std::size_t free_pixels = std::size_t{1} << 24, pixels_per_byte = 10000;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (pixels > free_pixels && pixels / pixels_per_byte > encoded_bytes)
+    throw std::runtime_error("image of " + size + " pixels in only " + std::to_string(encoded_bytes) + " bytes");
+}
+
 std::optional<ImageFormat> detect_image_format(Bytes encoded) {
   if (has_at(encoded, 0, "\x89PNG\r\n\x1a\n")) return ImageFormat::png;
   if (has_at(encoded, 0, "\xff\xd8\xff")) return ImageFormat::jpeg;

@@ -28,6 +28,9 @@ struct DecodedImage {
 /// Largest width and height that is decoded, pixels.
 inline constexpr int max_image_size = 16384;
 
+/// Throws std::runtime_error for an image that is empty, too large, or larger than the file can mean.
+void check_image_size(std::int64_t width, std::int64_t height, std::size_t encoded_bytes);
+
 /// Decodes the first image of a file, with 1 to 4 channels; files with more give their R, G, B and the A beside them.
 /// No colour conversion; alpha stays unassociated where the format has it so. Sizes are checked before any pixel is
 /// decoded, and against the length of the file. Throws std::runtime_error with one line that does not name the file.

@@ -34,18 +34,8 @@ std::string first_line(const std::string& message) {
 }
 
 void check_size(const OIIO::ImageSpec& spec, std::size_t encoded_bytes) {
-  const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
-    throw std::runtime_error("image without pixels (" + size + ")");
-  if (spec.width > max_image_size || spec.height > max_image_size)
-    throw std::runtime_error("image of " + size + " pixels; the limit is " + std::to_string(max_image_size) + " x " +
-                             std::to_string(max_image_size));
-  // Deflate reaches about 1030:1, which is 8240 one-bit pixels per byte, and other formats of real pictures stay far
-  // below: a header that promises more than this in a large image is damaged, or meant to eat memory.
-  constexpr std::size_t free_pixels = std::size_t{1} << 24, pixels_per_byte = 10000;
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * spec.height;
-  if (pixels > free_pixels && pixels / pixels_per_byte > encoded_bytes)
-    throw std::runtime_error("image of " + size + " pixels in only " + std::to_string(encoded_bytes) + " bytes");
+  if (spec.depth > 1 || spec.nchannels < 1) throw std::runtime_error("image without pixels");
+  check_image_size(spec.width, spec.height, encoded_bytes);
 }
 
 void check_kind(const OIIO::ImageSpec& spec) {

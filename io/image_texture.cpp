@@ -3,6 +3,8 @@
 #include "io/error.h"
 #include "io/image_decoder.h"
 #include "io/image_file.h"
+#include "io/ktx2_container.h"
+#include "io/ktx2_texture.h"
 
 namespace candil {
 namespace {
@@ -29,9 +31,14 @@ bool is_texture_format(ImageFormat format) {
 
 TextureImage decode_texture(std::span<const std::byte> encoded, const std::string& name, const std::string& file,
                             const std::string& place) {
-  const std::optional<ImageFormat> format = detect_image_format(encoded);
-  if (!format || !is_texture_format(*format)) throw InputError(file, place, name + ": not a PNG, JPEG or WebP image");
   try {
+    if (is_ktx2(encoded)) {
+      TextureImage texture = decode_ktx2(encoded);
+      texture.name = name;
+      return texture;
+    }
+    const std::optional<ImageFormat> format = detect_image_format(encoded);
+    if (!format || !is_texture_format(*format)) throw std::runtime_error("not a PNG, JPEG, WebP or KTX2 image");
     const DecodedImage decoded = decode_image(encoded, *format);
     TextureImage texture;
     texture.name = name;

@@ -83,7 +83,7 @@ TEST(DecodeTexture, KeepsWebpColorsApartFromAlpha) {
 }
 
 TEST(DecodeTexture, NamesFilePlaceAndImageInErrors) {
-  EXPECT_EQ(error_of({}), "chair.gltf: images[2]: wood.png: not a PNG, JPEG or WebP image");
+  EXPECT_EQ(error_of({}), "chair.gltf: images[2]: wood.png: not a PNG, JPEG, WebP or KTX2 image");
 }
 
 // A decoder for TIFF, PSD or DICOM behind a texture would be an attack surface that glTF never asks for.
@@ -92,7 +92,7 @@ TEST(DecodeTexture, RefusesFormatsThatAreNotTextures) {
   for (const std::string_view magic : {tiff, exr, gif}) {
     Bytes bytes(200);
     std::memcpy(bytes.data(), magic.data(), magic.size());
-    EXPECT_NE(error_of(bytes).find("not a PNG, JPEG or WebP image"), std::string::npos);
+    EXPECT_NE(error_of(bytes).find("not a PNG, JPEG, WebP or KTX2 image"), std::string::npos);
   }
 }
 
