@@ -259,8 +259,8 @@ std::vector<Vec4> read_vec4(const GltfDocument& document, int index, const Verte
 }
 
 std::vector<Vec4> read_color(const GltfDocument& document, int index, const VertexSelection& selection,
-                             const std::string& place) {
-  return read_vectors(document, index, selection, place, 3, Vec4(1));
+                             const std::string& place, float alpha) {
+  return read_vectors(document, index, selection, place, 3, Vec4(0, 0, 0, alpha));
 }
 
 std::vector<std::uint32_t> read_indices(const GltfDocument& document, int index, std::size_t vertex_count,
@@ -293,6 +293,66 @@ std::vector<std::uint32_t> read_indices(const GltfDocument& document, int index,
     }
     return indices;
   });
+}
+
+std::vector<float> read_floats(const GltfDocument& document, int index, std::size_t first, std::size_t count,
+                               const std::string& place) {
+  const AccessorReader reader(document, index, place);
+  const tinygltf::Accessor& accessor = reader.accessor();
+  const auto components = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(accessor.type));
+  if (element_bytes(accessor) != components * component_bytes(accessor.componentType)) {
+    reader.fail("must not have padded columns here");
+  }
+  if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+    reader.fail("must not have the componentType UNSIGNED_INT here");
+  }
+  std::vector<float> values(count * components);
+  const StridedData data = reader.base_data();
+  with_component_type(accessor.componentType, [&](auto zero) {
+    using Component = decltype(zero);
+    const auto convert = [&](const std::byte* bytes, float* element) {
+      for (std::size_t c = 0; c < components; ++c) {
+        Component source;
+        std::memcpy(&source, bytes + c * sizeof source, sizeof source);
+        element[c] = to_float(source, accessor.normalized);
+      }
+    };
+    for (std::size_t i = 0; i < count && data.first != nullptr; ++i) {
+      convert(data.first + (first + i) * data.stride, &values[i * components]);
+    }
+    if (!accessor.sparse.isSparse) return;
+    const std::vector<std::uint32_t> targets = reader.sparse_indices();
+    const StridedData substitutes = reader.sparse_values();
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (targets[i] < first || targets[i] - first >= count) continue;
+      convert(substitutes.first + i * substitutes.stride, &values[(targets[i] - first) * components]);
+    }
+  });
+  return values;
+}
+
+AccessorKind accessor_kind(const GltfDocument& document, int index) {
+  const tinygltf::Accessor& accessor = document.model().accessors[static_cast<std::size_t>(index)];
+  const std::string_view type = [&] {
+    switch (accessor.type) {
+      case TINYGLTF_TYPE_SCALAR:
+        return "SCALAR";
+      case TINYGLTF_TYPE_VEC2:
+        return "VEC2";
+      case TINYGLTF_TYPE_VEC3:
+        return "VEC3";
+      case TINYGLTF_TYPE_VEC4:
+        return "VEC4";
+      case TINYGLTF_TYPE_MAT2:
+        return "MAT2";
+      case TINYGLTF_TYPE_MAT3:
+        return "MAT3";
+      default:
+        return "MAT4";
+    }
+  }();
+  return {type, accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT,
+          static_cast<std::size_t>(tinygltf::GetNumComponentsInType(accessor.type))};
 }
 
 void check_accessors(const GltfDocument& document) {

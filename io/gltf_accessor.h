@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/math.h"
@@ -34,14 +35,27 @@ std::vector<Vec3> read_vec3(const GltfDocument& document, int index, const Verte
                             const std::string& place);
 std::vector<Vec4> read_vec4(const GltfDocument& document, int index, const VertexSelection& selection,
                             const std::string& place);
-/// Three or four components; a missing fourth one becomes 1.
+/// Three or four components; `alpha` stands for a missing fourth one.
 std::vector<Vec4> read_color(const GltfDocument& document, int index, const VertexSelection& selection,
-                             const std::string& place);
+                             const std::string& place, float alpha = 1);
 
 /// Unsigned scalars of 8, 16 or 32 bits, each below `vertex_count`. Throws InputError that names the element otherwise,
 /// also for the largest value of the type, which stands for primitive restart (specification, section 3.7.2.1).
 std::vector<std::uint32_t> read_indices(const GltfDocument& document, int index, std::size_t vertex_count,
                                         const std::string& place);
+
+/// Elements [first, first + count) of accessors[index], of any type and one after the other, as floats: converted and
+/// substituted as above. They must be there (accessor_count()). Throws InputError as above.
+std::vector<float> read_floats(const GltfDocument& document, int index, std::size_t first, std::size_t count,
+                               const std::string& place);
+
+/// Type ("VEC3") and whether the components are floats, of accessors[index].
+struct AccessorKind {
+  std::string_view type;
+  bool has_floats = false;
+  std::size_t components = 0;
+};
+AccessorKind accessor_kind(const GltfDocument& document, int index);
 
 /// Checks shape, component type and ranges of all accessors, used or not. Throws InputError.
 void check_accessors(const GltfDocument& document);

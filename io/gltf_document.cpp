@@ -158,6 +158,10 @@ GltfImageSource read_image_source(const json& image, std::size_t index, const st
   return source;
 }
 
+GltfSkin read_skin(const json& skin) {
+  return {skin.value("inverseBindMatrices", -1), skin.at("joints").get<std::vector<std::size_t>>()};
+}
+
 /// What the loader reads through tinygltf: without the parts that hold bytes, and without those candil has no use for.
 std::string reduced_json(json& root) {
   for (const char* part : {"buffers", "images", "skins", "animations"}) root.erase(part);
@@ -216,7 +220,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& path)
     images_.push_back(read_image_source(image, images_.size(), name_));
   }
   has_animations_ = !array_of(root, "animations").empty();
-  has_skins_ = !array_of(root, "skins").empty();
+  for (const json& skin : array_of(root, "skins")) skins_.push_back(read_skin(skin));
   model_ = parse_model(reduced_json(root), name_);
 }
 

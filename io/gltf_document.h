@@ -23,6 +23,12 @@ struct GltfImageSource {
   int buffer_view = -1;
 };
 
+/// What moves the vertices of a mesh: nodes, and where they stand in the mesh's own space.
+struct GltfSkin {
+  int inverse_bind_matrices = -1;   ///< Accessor.
+  std::vector<std::size_t> joints;  ///< Nodes.
+};
+
 class GltfDocument {
  public:
   /// Reads the file and all its buffers, each once. Throws InputError for anything that is not a structurally sound
@@ -44,7 +50,7 @@ class GltfDocument {
   /// All bytes that came with the scene, the measure of how much geometry it may expand to.
   std::size_t total_bytes() const { return total_bytes_; }
   bool has_animations() const { return has_animations_; }
-  bool has_skins() const { return has_skins_; }
+  const std::vector<GltfSkin>& skins() const { return skins_; }
   const std::vector<std::string>& extensions_used() const { return extensions_used_; }
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
@@ -58,7 +64,8 @@ class GltfDocument {
   std::vector<std::span<const std::byte>> views_;
   std::vector<GltfImageSource> images_;
   std::vector<std::string> extensions_used_;
-  bool has_animations_ = false, has_skins_ = false;
+  std::vector<GltfSkin> skins_;
+  bool has_animations_ = false;
   std::size_t total_bytes_ = 0;
   std::unique_ptr<tinygltf::Model> model_;
 };

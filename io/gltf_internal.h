@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/gltf_accessor.h"
+#include "io/gltf_deform.h"
 #include "io/gltf_document.h"
 #include "io/load_scene.h"
 
@@ -103,19 +105,37 @@ class MaterialTable {
   std::map<int, std::uint32_t> ids_;
 };
 
+/// Primitives that were read, for a file that is shown at several times.
+struct GeometryCache {
+  struct Entry {
+    bool is_read = false;
+    std::optional<Mesh> mesh;  ///< Nothing if the primitive shows nothing.
+    VertexSelection selection;
+  };
+  struct Key {
+    std::size_t mesh, primitive;
+    bool is_rigid;  ///< Then the mesh is as the scene has it, before it is placed; otherwise as in the file.
+    auto operator<=>(const Key&) const = default;
+  };
+  std::map<Key, Entry> primitives;
+};
+
 /// meshes[i] as one object: its triangle primitives are appended to Scene::meshes.
 class MeshReader {
  public:
-  MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings);
+  /// What `cache` (null: none) has is not read again.
+  MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings,
+             GeometryCache* cache = nullptr);
 
   /// Throws InputError for anything in it that cannot be read.
-  Object read(std::size_t index);
+  Object read(std::size_t index, const Deformation& deformation);
 
  private:
   const GltfDocument& document_;
   Scene& scene_;
   MaterialTable& materials_;
   Warnings& warnings_;
+  GeometryCache* cache_;
   std::size_t bytes_left_;  // of geometry, before a file is taken for hostile
 };
 
@@ -137,9 +157,16 @@ std::vector<PlacedNode> place_nodes(const GltfDocument& document, const std::str
 std::size_t find_choice(const GltfDocument& document, const char* kind, const std::vector<std::string>& names,
                         const std::string& choice);
 
+/// The global transform of every node, in the scene or not: joints may be anywhere.
+std::vector<Affine> global_transforms(const GltfDocument& document, const std::vector<PlacedNode>& nodes,
+                                      Warnings& warnings);
+
+/// Reads the meshes that no node in the scene shows, and forgets them: damage is reported wherever it is.
+void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedNode>& nodes);
+
 /// Adds to the scene what each node carries.
 void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
-                   MaterialTable& materials, Warnings& warnings);
+                   MaterialTable& materials, Warnings& warnings, GeometryCache* cache = nullptr);
 void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
 void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
 

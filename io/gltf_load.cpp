@@ -15,7 +15,6 @@ void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warni
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
   if (document.has_animations()) warnings.add("animations are not supported and ignored");
-  if (document.has_skins()) warnings.add("skins are not supported; meshes are shown in their rest pose");
 }
 
 }  // namespace
@@ -32,6 +31,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
   add_instances(document, nodes, loaded.scene, materials, warnings);
   add_cameras(document, nodes, loaded.scene, warnings);
   add_lights(document, nodes, loaded.scene, warnings);
+  check_unused_meshes(document, nodes);
   check_accessors(document);
   loaded.files = document.files();
   for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/gltf_accessor.h"
+#include "io/gltf_deform.h"
 #include "io/gltf_geometry.h"
 #include "io/gltf_internal.h"
 #include "io/gltf_tinygltf.h"
@@ -23,8 +24,8 @@ class PrimitiveReader {
                   Warnings& warnings)
       : document_(document), primitive_(primitive), place_(std::move(place)), warnings_(warnings) {}
 
-  /// Triangles, vertices and all attributes but tangents; nothing (and a warning) if there is nothing to show.
-  /// `bytes_left` is what the file may still expand to.
+  /// Triangles, vertices and all attributes but tangents, as in the file; nothing (and a warning) if there is nothing
+  /// to show. `bytes_left` is what the file may still expand to.
   std::optional<Mesh> read(std::size_t& bytes_left) {
     const std::optional<TriangleMode> mode = triangle_mode();
     const int positions = attribute("POSITION");
@@ -42,22 +43,54 @@ class PrimitiveReader {
     }
     selection_ = select_vertices(mesh.triangles, selection_.accessor_count);
     charge(selection_.size() * bytes_per_vertex, bytes_left);
-    read_positions(positions, mesh);
-    read_normals(mesh);
-    read_uvs(mesh);
-    read_colors(mesh);
+    mesh.positions = read_vec3(document_, positions, selection_, attribute_place("POSITION"));
+    if (const int index = attribute("NORMAL"); index >= 0) {
+      mesh.normals = read_vec3(document_, index, selection_, attribute_place("NORMAL"));
+    }
+    for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
+      const std::string semantic = "TEXCOORD_" + std::to_string(set);
+      const int index = attribute(semantic);
+      if (index >= 0) mesh.uvs[set] = read_vec2(document_, index, selection_, attribute_place(semantic));
+    }
+    if (const int index = attribute("COLOR_0"); index >= 0) {
+      mesh.colors = read_color(document_, index, selection_, attribute_place("COLOR_0"));
+    }
+    check_morph_targets(source());
     return mesh;
   }
 
-  /// The tangents of the file, if it has usable ones; the specification wants them ignored where normals are absent.
+  /// The tangents of the file; the specification wants them ignored where normals are absent.
   void read_tangents(Mesh& mesh) const {
     const int index = attribute("TANGENT");
     if (index < 0 || mesh.normals.empty()) return;
     mesh.tangents = read_vec4(document_, index, selection_, attribute_place("TANGENT"));
+  }
+
+  /// The vertices that read() chose.
+  const VertexSelection& selection() const { return selection_; }
+
+  /// Pays for one more copy of a mesh that was read before, with these vertices.
+  void reuse(const Mesh& mesh, const VertexSelection& selection, std::size_t& bytes_left) {
+    selection_ = selection;
+    charge(mesh.triangles.size() * bytes_per_triangle + selection_.size() * bytes_per_vertex, bytes_left);
+  }
+
+  void bend(const Deformation& deformation, Mesh& mesh) const { deform(source(), deformation, mesh, warnings_); }
+
+  /// Makes the attributes such that renderers can rely on them.
+  void repair(Mesh& mesh) const {
+    check_positions(mesh);
+    if (repair_normals(mesh)) {
+      warnings_.add(attribute_place("NORMAL"), "has normals without a direction, those of the triangles are used");
+    }
+    repair_uvs(mesh);
+    clamp_colors(mesh);
     if (repair_tangents(mesh)) warnings_.add(attribute_place("TANGENT"), "has invalid tangents, any other are used");
   }
 
  private:
+  PrimitiveSource source() const { return {document_, primitive_, place_, selection_}; }
+
   int attribute(const std::string& semantic) const {
     const auto found = primitive_.attributes.find(semantic);
     return found == primitive_.attributes.end() ? -1 : found->second;
@@ -107,47 +140,32 @@ class PrimitiveReader {
                           read_indices(document_, primitive_.indices, selection_.accessor_count, place_ + ".indices"));
   }
 
-  void read_positions(int index, Mesh& mesh) const {
-    const std::string place = attribute_place("POSITION");
-    mesh.positions = read_vec3(document_, index, selection_, place);
+  void check_positions(const Mesh& mesh) const {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       // Beyond 1e9 m, squared areas overflow single precision.
       const Vec3 p = glm::abs(mesh.positions[i]);
       if (p.x <= 1e9f && p.y <= 1e9f && p.z <= 1e9f) continue;
-      document_.fail(place, "accessor " + std::to_string(index) + " element " + std::to_string(selection_.element(i)) +
-                                (is_finite(p) ? " is farther than 1e9 m from the origin" : " is not finite"));
+      document_.fail(attribute_place("POSITION"),
+                     "accessor " + std::to_string(attribute("POSITION")) + " element " +
+                         std::to_string(selection_.element(i)) +
+                         (is_finite(p) ? " is farther than 1e9 m from the origin" : " is not finite"));
     }
   }
 
-  void read_normals(Mesh& mesh) const {
-    const int index = attribute("NORMAL");
-    if (index < 0) return;
-    mesh.normals = read_vec3(document_, index, selection_, attribute_place("NORMAL"));
-    if (repair_normals(mesh)) {
-      warnings_.add(attribute_place("NORMAL"), "has normals without a direction, those of the triangles are used");
-    }
-  }
-
-  void read_uvs(Mesh& mesh) const {
+  void repair_uvs(Mesh& mesh) const {
     for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
-      const std::string semantic = "TEXCOORD_" + std::to_string(set);
-      const int index = attribute(semantic);
-      if (index < 0) continue;
-      mesh.uvs[set] = read_vec2(document_, index, selection_, attribute_place(semantic));
       bool is_repaired = false;
       for (Vec2& uv : mesh.uvs[set]) {
         if (std::abs(uv.x) + std::abs(uv.y) < infinity) continue;
         uv = Vec2(0);
         is_repaired = true;
       }
+      const std::string semantic = "TEXCOORD_" + std::to_string(set);
       if (is_repaired) warnings_.add(attribute_place(semantic), "has values that are not finite, 0 is used");
     }
   }
 
-  void read_colors(Mesh& mesh) const {
-    const int index = attribute("COLOR_0");
-    if (index < 0) return;
-    mesh.colors = read_color(document_, index, selection_, attribute_place("COLOR_0"));
+  void clamp_colors(Mesh& mesh) const {
     bool is_clamped = false;
     for (Vec4& color : mesh.colors) {
       for (int c = 0; c < 4; ++c) {
@@ -188,13 +206,14 @@ std::optional<std::uint32_t> uv_set_of_tangents(const Material& material) {
 
 }  // namespace
 
-MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings)
-    : document_(document), scene_(scene), materials_(materials), warnings_(warnings) {
+MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings,
+                       GeometryCache* cache)
+    : document_(document), scene_(scene), materials_(materials), warnings_(warnings), cache_(cache) {
   constexpr std::size_t least = std::size_t{2} << 30, factor = 64;
   bytes_left_ = std::max(least, factor * document.total_bytes());
 }
 
-Object MeshReader::read(std::size_t index) {
+Object MeshReader::read(std::size_t index, const Deformation& deformation) {
   const tinygltf::Mesh& source = document_.model().meshes[index];
   const std::string mesh_place = indexed("meshes", index);
   Object object{source.name.empty() ? mesh_place : kept_name(source.name),
@@ -202,18 +221,33 @@ Object MeshReader::read(std::size_t index) {
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
     const std::string place = mesh_place + "." + indexed("primitives", p);
-    if (!primitive.targets.empty()) warnings_.add("morph targets are not supported; the base shapes are shown");
     PrimitiveReader reader(document_, primitive, place, warnings_);
-    std::optional<Mesh> mesh = reader.read(bytes_left_);
+    GeometryCache::Entry* const kept =
+        cache_ == nullptr ? nullptr : &cache_->primitives[{index, p, deformation.is_none()}];
+    const bool is_known = kept != nullptr && kept->is_read;
+    std::optional<Mesh> mesh = is_known ? kept->mesh : reader.read(bytes_left_);
+    if (kept != nullptr) kept->is_read = true;
     if (!mesh) continue;
     mesh->name = object.name;
     mesh->material = materials_.material(primitive.material);
     const Material& material = scene_.materials[mesh->material];
     check_uv_sets(*mesh, material, place, warnings_);
-    if (const std::optional<std::uint32_t> uv_set = uv_set_of_tangents(material)) {
+    const std::optional<std::uint32_t> uv_set = uv_set_of_tangents(material);
+    if (is_known) {
+      reader.reuse(*mesh, kept->selection, bytes_left_);
+    } else if (uv_set) {
       reader.read_tangents(*mesh);
-      if (mesh->tangents.empty() && !mesh->uvs[*uv_set].empty()) generate_tangents(*mesh, static_cast<int>(*uv_set));
     }
+    // What does not move is kept ready for use, what does as it is in the file.
+    if (kept != nullptr && !is_known && !deformation.is_none()) *kept = {true, mesh, reader.selection()};
+    if (!is_known || !deformation.is_none()) {
+      reader.bend(deformation, *mesh);
+      reader.repair(*mesh);
+      if (uv_set && mesh->tangents.empty() && !mesh->uvs[*uv_set].empty()) {
+        generate_tangents(*mesh, static_cast<int>(*uv_set));
+      }
+    }
+    if (kept != nullptr && !is_known && deformation.is_none()) *kept = {true, mesh, {}};
     scene_.meshes.push_back(std::move(*mesh));
     ++object.mesh_count;
   }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <utility>
 
 #include "io/gltf_internal.h"
 #include "io/gltf_tinygltf.h"
@@ -115,13 +117,43 @@ Bounds object_bounds(const Scene& scene, const Object& object) {
   return bounds;
 }
 
-void check_reach(const GltfDocument& document, const Bounds& bounds, const PlacedNode& node) {
+/// What bends the mesh of the node. `joints` keeps the transforms of each skin; the first one asks for all nodes'.
+class DeformationReader {
+ public:
+  DeformationReader(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Warnings& warnings)
+      : document_(document), nodes_(nodes), warnings_(warnings) {}
+
+  Deformation read(const PlacedNode& placed) {
+    const tinygltf::Node& node = document_.model().nodes[placed.node];
+    const tinygltf::Mesh& mesh = document_.model().meshes[static_cast<std::size_t>(node.mesh)];
+    Deformation deformation{morph_weights(node, mesh, indexed("nodes", placed.node), warnings_), nullptr,
+                            placed.to_world};
+    if (node.skin >= 0) deformation.joints = &joints(static_cast<std::size_t>(node.skin));
+    return deformation;
+  }
+
+ private:
+  const std::vector<Affine>& joints(std::size_t skin) {
+    const auto [entry, is_new] = joints_.try_emplace(skin);
+    if (!is_new) return entry->second;
+    if (to_world_.empty()) to_world_ = global_transforms(document_, nodes_, warnings_);
+    return entry->second = joint_transforms(document_, skin, to_world_, warnings_);
+  }
+
+  const GltfDocument& document_;
+  const std::vector<PlacedNode>& nodes_;
+  Warnings& warnings_;
+  std::vector<Affine> to_world_;
+  std::map<std::size_t, std::vector<Affine>> joints_;
+};
+
+void check_reach(const GltfDocument& document, const Bounds& bounds, const Affine& to_world, std::size_t node) {
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p =
-        node.to_world.point(Vec3((corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
-                                 (corner & 4 ? bounds.high : bounds.low).z));
+        to_world.point(Vec3((corner & 1 ? bounds.high : bounds.low).x, (corner & 2 ? bounds.high : bounds.low).y,
+                            (corner & 4 ? bounds.high : bounds.low).z));
     if (!is_within_reach(p)) {
-      document.fail(indexed("nodes", node.node), "places its mesh farther than 1e9 m from the origin");
+      document.fail(indexed("nodes", node), "places its mesh farther than 1e9 m from the origin");
     }
   }
 }
@@ -154,38 +186,78 @@ std::vector<PlacedNode> place_nodes(const GltfDocument& document, const std::str
   return placed;
 }
 
+std::vector<Affine> global_transforms(const GltfDocument& document, const std::vector<PlacedNode>& placed,
+                                      Warnings& warnings) {
+  const std::vector<tinygltf::Node>& nodes = document.model().nodes;
+  std::vector<Affine> to_world(nodes.size());
+  std::vector<bool> is_known(nodes.size());
+  for (const PlacedNode& each : placed) {
+    to_world[each.node] = each.to_world;
+    is_known[each.node] = true;
+  }
+  const std::vector<int> parents = find_parents(document);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    std::vector<std::size_t> unknown;  // the node and those above it
+    for (int up = static_cast<int>(n); up >= 0 && !is_known[static_cast<std::size_t>(up)];) {
+      unknown.push_back(static_cast<std::size_t>(up));
+      up = parents[static_cast<std::size_t>(up)];
+    }
+    for (auto node = unknown.rbegin(); node != unknown.rend(); ++node) {
+      const int parent = parents[*node];
+      const Affine local = local_transform(nodes[*node], indexed("nodes", *node), warnings);
+      to_world[*node] = parent < 0 ? local : to_world[static_cast<std::size_t>(parent)] * local;
+      is_known[*node] = true;
+    }
+  }
+  return to_world;
+}
+
 void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
-                   MaterialTable& materials, Warnings& warnings) {
+                   MaterialTable& materials, Warnings& warnings, GeometryCache* cache) {
   const tinygltf::Model& model = document.model();
-  MeshReader reader(document, scene, materials, warnings);
-  std::map<int, std::uint32_t> objects;  // glTF mesh to Scene::objects
-  std::vector<Bounds> bounds;            // of each object
+  MeshReader reader(document, scene, materials, warnings, cache);
+  DeformationReader deformations(document, nodes, warnings);
+  // A mesh with the weights of its morph targets to Scene::objects. Skins bend it for each node anew.
+  std::map<std::pair<int, std::vector<float>>, std::uint32_t> objects;
+  std::vector<Bounds> bounds;  // of each object
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = model.nodes[placed.node];
     if (node.mesh < 0 || !placed.is_visible) continue;
-    const auto [entry, is_new] = objects.try_emplace(node.mesh, static_cast<std::uint32_t>(scene.objects.size()));
-    if (is_new) {
-      scene.objects.push_back(reader.read(static_cast<std::size_t>(node.mesh)));
+    const Deformation deformation = deformations.read(placed);
+    const bool is_skinned = deformation.joints != nullptr;
+    auto object = static_cast<std::uint32_t>(scene.objects.size());
+    if (!is_skinned) object = objects.try_emplace({node.mesh, deformation.weights}, object).first->second;
+    if (object == scene.objects.size()) {
+      scene.objects.push_back(reader.read(static_cast<std::size_t>(node.mesh), deformation));
       bounds.push_back(object_bounds(scene, scene.objects.back()));
     }
-    const std::uint32_t object = entry->second;
     if (scene.objects[object].mesh_count == 0) continue;
-    check_reach(document, bounds[object], placed);
-    if (!can_be_entered(placed.to_world)) {
+    // Joints place a skinned mesh, its node does not (specification, section 3.7.3.1).
+    const Affine to_world = is_skinned ? Affine{} : placed.to_world;
+    check_reach(document, bounds[object], to_world, placed.node);
+    if (!can_be_entered(to_world)) {
       warnings.add(indexed("nodes", placed.node), "is scaled to nothing in some direction; its mesh is not shown");
       continue;
     }
     const std::string name = node.name.empty() ? indexed("nodes", placed.node) : kept_name(node.name);
-    scene.instances.push_back({name, object, placed.to_world});
+    scene.instances.push_back({name, object, to_world});
   }
-  // Damage is reported wherever it is, also in meshes that this scene does not show.
+}
+
+void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedNode>& nodes) {
+  const tinygltf::Model& model = document.model();
+  std::vector<bool> is_used(model.meshes.size());
+  for (const PlacedNode& placed : nodes) {
+    const int mesh = model.nodes[placed.node].mesh;
+    if (mesh >= 0 && placed.is_visible) is_used[static_cast<std::size_t>(mesh)] = true;
+  }
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
-    if (objects.contains(static_cast<int>(m))) continue;
+    if (is_used[m]) continue;
     Scene unused;
     Warnings unheard;
     TextureTable unused_textures(document, unused, unheard);
     MaterialTable unused_materials(document, unused, unused_textures, unheard);
-    MeshReader(document, unused, unused_materials, unheard).read(m);
+    MeshReader(document, unused, unused_materials, unheard).read(m, {});
   }
 }
 
