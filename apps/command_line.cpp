@@ -9,6 +9,7 @@
 #include "apps/bench_arguments.h"
 #include "apps/check/check_arguments.h"
 #include "apps/compare/compare_arguments.h"
+#include "apps/extension_list.h"
 #include "apps/messages.h"
 #include "apps/render_arguments.h"
 #include "apps/scene_arguments.h"
@@ -31,6 +32,7 @@ Examples:
   candil bench model.glb --accel embree --accel embree:quality=high
   candil compare golden.png picture.png --threshold flip=0.02 --html report.html
   candil check suite.toml --junit out.xml
+  candil --list-extensions
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -53,8 +55,8 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "tonemap", "compare", "check",    "info",
-                                        "bench",  "-h",      "--help",  "--version"};
+  constexpr std::string_view known[] = {"render", "tonemap", "compare", "check",     "info",
+                                        "bench",  "-h",      "--help",  "--version", "--list-extensions"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
@@ -66,7 +68,12 @@ std::vector<std::string> with_command(int argc, const char* const* argv) {
 Command parse_command_line(int argc, const char* const* argv) {
   CLI::App app("candil: a physically based path tracer", "candil");
   app.set_version_flag("--version", version_line());
-  app.require_subcommand(1);
+  const bool is_listing = argc > 1 && std::string_view(argv[1]) == "--list-extensions";
+  app.require_subcommand(is_listing ? 0 : 1);
+  bool is_listed = false, is_json = false;
+  CLI::Option* const listing =
+      app.add_flag("--list-extensions", is_listed, "Print the known glTF extensions, and what candil makes of each");
+  app.add_flag("--json", is_json, "Print them as JSON for machines")->needs(listing);
   app.footer(general_footer);
 
   RenderOptions render_options;
@@ -98,6 +105,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     return PrintText{version.what() + std::string("\n")};
   } catch (const CLI::ParseError& error) {
     throw UsageError(one_line(error.what()) + "; see `candil --help`");
+  }
+  if (is_listed) {
+    if (!app.get_subcommands().empty()) throw UsageError("--list-extensions goes with no command");
+    return PrintText{list_extensions(is_json)};
   }
   if (tonemap->parsed()) return tonemap_options;
   if (compare->parsed()) return compare_options;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -65,8 +66,20 @@ std::string to_json_text(const InfoOptions& options, const LoadedScene& loaded) 
   json["bounds"] = nullptr;
   if (!summary.bounds.is_empty())
     json["bounds"] = {{"low", to_json(summary.bounds.low)}, {"high", to_json(summary.bounds.high)}};
-  json["extensions_used"] = loaded.extensions_used;
+  const GltfContents& contents = loaded.contents;
+  json["scenes"] = contents.scenes;
+  json["variants"] = contents.variants;
+  json["animations"] = contents.animations;
+  json["skins"] = contents.skins;
+  json["primitives"] = {{"morphed", contents.morphed_primitives},
+                        {"points", contents.point_primitives},
+                        {"lines", contents.line_primitives}};
+  json["extensions_used"] = contents.extensions_used;
+  json["extensions_required"] = contents.extensions_required;
   json["extensions_unsupported"] = loaded.extensions_unsupported;
+  json["not_honoured"] = Json::array();
+  for (const NotHonoured& part : loaded.not_honoured)
+    json["not_honoured"].push_back({{"what", part.what}, {"reason", part.reason}});
   json["warnings"] = loaded.warnings;
   // Names out of hostile files need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -81,6 +94,17 @@ std::string with_unit(std::size_t bytes) {
 
 std::string list(const std::vector<std::string>& names) {
   return names.empty() ? "none" : printable(fmt::format("{}", fmt::join(names, ", ")));
+}
+
+/// "0 'Front', 1 'Back'", as their options take them.
+std::string numbered(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", i);
+    if (!names[i].empty()) text += fmt::format(" '{}'", printable(names[i]));
+  }
+  return names.size() > most ? fmt::format("{}, ... ({} in all)", text, names.size()) : text;
 }
 
 std::string describe_lights(const SceneSummary& summary) {
@@ -100,7 +124,7 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
   const SceneSummary summary = summarize(loaded.scene);
   std::string text = printable(options.scene.string()) + "\n";
   const auto line = [&](const char* label, const std::string& value) {
-    text += fmt::format("  {:<12}{}\n", label, value);
+    text += fmt::format("  {:<13}{}\n", label, value);
   };
   line("meshes", fmt::format("{}, in {} objects", summary.meshes, summary.objects));
   line("triangles", fmt::format("{} ({} with instances)", summary.triangles, summary.instanced_triangles));
@@ -119,8 +143,22 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
   for (std::size_t i = 0; i < loaded.scene.cameras.size(); ++i)
     line("",
          fmt::format("{}: {} '{}'", i, kind_name(loaded.scene.cameras[i]), printable(loaded.scene.cameras[i].name)));
-  line("extensions", list(loaded.extensions_used));
-  line("unsupported", list(loaded.extensions_unsupported));
+  const GltfContents& contents = loaded.contents;
+  const auto choices = [&](const char* label, const std::vector<std::string>& names, std::size_t least) {
+    if (names.size() >= least) line(label, numbered(names));
+  };
+  choices("scenes", contents.scenes, 2);
+  choices("variants", contents.variants, 1);
+  choices("animations", contents.animations, 1);
+  if (contents.skins > 0) line("skins", fmt::format("{}", contents.skins));
+  if (contents.morphed_primitives + contents.point_primitives + contents.line_primitives > 0)
+    line("primitives", fmt::format("{} with morph targets, {} of points, {} of lines", contents.morphed_primitives,
+                                   contents.point_primitives, contents.line_primitives));
+  line("extensions", list(contents.extensions_used));
+  if (!contents.extensions_required.empty()) line("required", list(contents.extensions_required));
+  for (const NotHonoured& part : loaded.not_honoured)
+    line(&part == loaded.not_honoured.data() ? "not honoured" : "",
+         printable(part.what) + ": " + printable(part.reason));
   for (const std::string& warning : loaded.warnings) text += "  warning: " + printable(warning) + "\n";
   return text;
 }

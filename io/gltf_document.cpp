@@ -8,6 +8,7 @@
 
 #include "io/error.h"
 #include "io/gltf_container.h"
+#include "io/gltf_count.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_schema.h"
 
@@ -199,11 +200,13 @@ GltfDocument::GltfDocument(const std::filesystem::path& path)
   const GltfContainer container = split_gltf(file_, name_);
   json root = parse_json(container.json, name_);
   check_version(root, name_);
-  extensions_used_ = read_extension_list(root, "extensionsUsed", name_);
-  refuse_unknown_gltf_extensions(read_extension_list(root, "extensionsRequired", name_), name_);
+  contents_.extensions_used = read_extension_list(root, "extensionsUsed", name_);
+  contents_.extensions_required = read_extension_list(root, "extensionsRequired", name_);
+  refuse_unknown_gltf_extensions(contents_.extensions_required, name_);
   // Files without scenes that name one anyway are about; they lose nothing.
   if (!root.contains("scenes")) root.erase("scene");
   check_gltf_schema(root, name_);
+  count_gltf_contents(root, contents_);
 
   total_bytes_ = file_.size();
   std::vector<std::span<const std::byte>> buffers;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/gltf_contents.h"
 #include "io/resource.h"
 
 namespace tinygltf {
@@ -51,7 +52,7 @@ class GltfDocument {
   std::size_t total_bytes() const { return total_bytes_; }
   bool has_animations() const { return has_animations_; }
   const std::vector<GltfSkin>& skins() const { return skins_; }
-  const std::vector<std::string>& extensions_used() const { return extensions_used_; }
+  const GltfContents& contents() const { return contents_; }
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 
@@ -63,7 +64,7 @@ class GltfDocument {
   std::vector<Bytes> loaded_buffers_;  // the ones outside of `file_`
   std::vector<std::span<const std::byte>> views_;
   std::vector<GltfImageSource> images_;
-  std::vector<std::string> extensions_used_;
+  GltfContents contents_;
   std::vector<GltfSkin> skins_;
   bool has_animations_ = false;
   std::size_t total_bytes_ = 0;

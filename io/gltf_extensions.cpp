@@ -11,14 +11,29 @@ namespace candil {
 namespace {
 
 constexpr std::array table = std::to_array<GltfExtension>({
+    {"ADOBE_materials_clearcoat_specular", GltfTier::unsupported},
+    {"ADOBE_materials_clearcoat_tint", GltfTier::unsupported},
+    {"ADOBE_materials_thin_transparency", GltfTier::unsupported},
+    {"AGI_stk_metadata", GltfTier::harmless, "metadata"},
+    {"CESIUM_primitive_outline", GltfTier::unsupported},
+    {"EXT_instance_features", GltfTier::harmless, "metadata"},
     {"EXT_lights_ies", GltfTier::unsupported},
     {"EXT_lights_image_based", GltfTier::unsupported},
+    {"EXT_mesh_features", GltfTier::harmless, "metadata"},
     {"EXT_mesh_gpu_instancing", GltfTier::unsupported},
+    {"EXT_mesh_manifold", GltfTier::harmless, "topology of the same triangles"},
     {"EXT_meshopt_compression", GltfTier::unsupported},
+    {"EXT_structural_metadata", GltfTier::harmless, "metadata"},
     {"EXT_texture_avif", GltfTier::full},
     {"EXT_texture_webp", GltfTier::full},
+    {"FB_geometry_metadata", GltfTier::harmless, "metadata"},
+    {"FB_ngon_encoding", GltfTier::harmless, "polygons of the same triangles"},
+    {"GODOT_single_root", GltfTier::harmless, "structure"},
+    {"GRIFFEL_bim_data", GltfTier::harmless, "metadata"},
     {"KHR_animation_pointer", GltfTier::unsupported},
     {"KHR_draco_mesh_compression", GltfTier::unsupported},
+    {"KHR_gaussian_splatting", GltfTier::unsupported},
+    {"KHR_interactivity", GltfTier::unsupported, "nothing is run"},
     {"KHR_lights_punctual", GltfTier::full},
     {"KHR_materials_anisotropy", GltfTier::unsupported},
     {"KHR_materials_clearcoat", GltfTier::unsupported},
@@ -32,45 +47,89 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_materials_specular", GltfTier::full},
     {"KHR_materials_transmission", GltfTier::full},
     {"KHR_materials_unlit", GltfTier::full},
-    {"KHR_materials_variants", GltfTier::harmless},
-    {"KHR_materials_volume", GltfTier::full},
+    {"KHR_materials_variants", GltfTier::full, "the materials of the primitives, or --variant"},
+    {"KHR_materials_volume", GltfTier::full, "rays measure the thickness"},
     {"KHR_materials_volume_scatter", GltfTier::unsupported},
     {"KHR_mesh_quantization", GltfTier::full},
     {"KHR_meshopt_compression", GltfTier::unsupported},
-    {"KHR_node_hoverability", GltfTier::harmless},
-    {"KHR_node_selectability", GltfTier::harmless},
+    {"KHR_node_hoverability", GltfTier::harmless, "interaction"},
+    {"KHR_node_selectability", GltfTier::harmless, "interaction"},
     {"KHR_node_visibility", GltfTier::full},
+    {"KHR_techniques_webgl", GltfTier::unsupported},
     {"KHR_texture_basisu", GltfTier::full},
     {"KHR_texture_transform", GltfTier::full},
-    {"KHR_xmp", GltfTier::harmless},
-    {"KHR_xmp_json_ld", GltfTier::harmless},
+    {"KHR_xmp", GltfTier::harmless, "metadata"},
+    {"KHR_xmp_json_ld", GltfTier::harmless, "metadata"},
+    {"MSFT_lod", GltfTier::harmless, "the finest level is shown"},
+    {"MSFT_packing_normalRoughnessMetallic", GltfTier::unsupported, "the core textures are used"},
+    {"MSFT_packing_occlusionRoughnessMetallic", GltfTier::unsupported, "the core textures are used"},
+    {"MSFT_texture_dds", GltfTier::unsupported, "the core image is used"},
+    {"NV_materials_mdl", GltfTier::unsupported},
 });
 
-const GltfExtension* find_extension(std::string_view name) {
+/// Also for one that nobody has heard of.
+GltfExtension find_extension(std::string_view name) {
   const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == name; });
-  return found == table.end() ? nullptr : &*found;
+  return found == table.end() ? GltfExtension{name, GltfTier::unsupported} : *found;
 }
 
 }  // namespace
 
-std::span<const GltfExtension> gltf_extensions() { return table; }
-
-bool is_supported_gltf_extension(std::string_view extension) {
-  const GltfExtension* const known = find_extension(extension);
-  return known != nullptr && known->is_honoured();
+std::string_view GltfExtension::tier_word() const {
+  switch (tier) {
+    case GltfTier::full:
+      return missing_package.empty() ? "full" : "unavailable";
+    case GltfTier::partial:
+      return missing_package.empty() ? "partial" : "unavailable";
+    case GltfTier::harmless:
+      return "ignored";
+    case GltfTier::experimental:
+      return "experimental";
+    case GltfTier::unsupported:
+      break;
+  }
+  return "unsupported";
 }
 
+std::string GltfExtension::explanation() const {
+  if (missing_package.empty()) return std::string(remark);
+  return "this build has no " + std::string(missing_package) + (remark.empty() ? "" : "; " + std::string(remark));
+}
+
+std::span<const GltfExtension> gltf_extensions() { return table; }
+
+bool is_supported_gltf_extension(std::string_view extension) { return find_extension(extension).is_honoured(); }
+
 bool is_harmless_gltf_extension(std::string_view extension) {
-  const GltfExtension* const known = find_extension(extension);
-  return known != nullptr && known->tier == GltfTier::harmless;
+  return find_extension(extension).tier == GltfTier::harmless;
+}
+
+std::optional<NotHonoured> what_is_not_honoured(const std::string& extension) {
+  const GltfExtension row = find_extension(extension);
+  const std::string explanation = row.explanation();
+  if (row.tier == GltfTier::full && row.missing_package.empty()) return {};
+  return NotHonoured{extension, std::string(row.tier_word()) + (explanation.empty() ? "" : ": " + explanation)};
+}
+
+std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents) {
+  std::vector<NotHonoured> parts;
+  const auto add = [&](bool is_there, const char* what, const char* reason) {
+    if (is_there) parts.push_back({what, reason});
+  };
+  add(!contents.animations.empty(), "animations", "unsupported: nodes stay where the file puts them");
+  add(contents.point_primitives > 0, "primitives of points", "unsupported: not shown");
+  add(contents.line_primitives > 0, "primitives of lines", "unsupported: not shown");
+  return parts;
 }
 
 void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name) {
   std::string missing;
   int count = 0;
   for (const std::string& extension : required) {
-    if (is_supported_gltf_extension(extension) || is_harmless_gltf_extension(extension)) continue;
+    const GltfExtension row = find_extension(extension);
+    if (row.is_honoured() || row.tier == GltfTier::harmless) continue;
     missing += (count++ == 0 ? "" : ", ") + printable(extension);
+    if (!row.missing_package.empty()) missing += " (this build has no " + std::string(row.missing_package) + ")";
   }
   if (count == 0) return;
   throw InputError(name, "extensionsRequired",

@@ -2,10 +2,13 @@
 /// `info` and --list-extensions tell.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "io/gltf_contents.h"
 
 namespace candil {
 
@@ -23,6 +26,10 @@ struct GltfExtension {
   std::string_view remark = {};           ///< What is approximated, missing or ignored, in a few words.
   std::string_view missing_package = {};  ///< Without which this build does not have it.
 
+  /// One of: full, partial, ignored, experimental, unsupported, unavailable (for want of a package).
+  std::string_view tier_word() const;
+  /// The remark and the missing package, in a few words; may be empty.
+  std::string explanation() const;
   /// Whether this build reads and renders it.
   bool is_honoured() const { return (tier == GltfTier::full || tier == GltfTier::partial) && missing_package.empty(); }
 };
@@ -35,6 +42,12 @@ bool is_supported_gltf_extension(std::string_view extension);
 
 /// May be ignored even when a file requires it.
 bool is_harmless_gltf_extension(std::string_view extension);
+
+/// Why a picture may lack what the extension says; nothing if it is rendered in full.
+std::optional<NotHonoured> what_is_not_honoured(const std::string& extension);
+
+/// What pictures lack beside extensions.
+std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents);
 
 /// Throws InputError(name, "extensionsRequired", ...) that names every extension that is neither of the two.
 void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name);

@@ -17,6 +17,7 @@
 
 namespace tinygltf {
 class Value;
+struct Primitive;
 struct Texture;
 struct TextureInfo;
 }  // namespace tinygltf
@@ -88,20 +89,34 @@ struct TextureUse {
 TextureSlot make_texture_slot(const TextureUse& use, const std::string& place, TextureTable& textures,
                               Warnings& warnings);
 
-/// Materials on demand; ids of Scene::materials are given on first use.
+/// The variant of KHR_materials_variants that is `chosen` by its index or name; nothing for no choice. Throws
+/// InputError for a choice that is not there.
+std::optional<std::size_t> choose_variant(const GltfDocument& document, const std::string& chosen);
+
+/// The index of the primitive's material in that variant: its own where none is mapped; -1: none. `place` is that of
+/// the primitive.
+int material_of_variant(const tinygltf::Primitive& primitive, std::optional<std::size_t> variant,
+                        const std::string& place, Warnings& warnings);
+
+/// Materials on demand, of one variant; ids of Scene::materials are given on first use.
 class MaterialTable {
  public:
-  MaterialTable(const GltfDocument& document, Scene& scene, TextureTable& textures, Warnings& warnings)
-      : document_(document), scene_(scene), textures_(textures), warnings_(warnings) {}
+  MaterialTable(const GltfDocument& document, Scene& scene, TextureTable& textures, Warnings& warnings,
+                std::optional<std::size_t> variant)
+      : document_(document), scene_(scene), textures_(textures), warnings_(warnings), variant_(variant) {}
 
-  /// The id of materials[index] in Scene::materials; -1 is the specification's default material.
-  std::uint32_t material(int index);
+  /// The id of the primitive's material in Scene::materials. `place` is that of the primitive.
+  std::uint32_t material(const tinygltf::Primitive& primitive, const std::string& place);
 
  private:
+  /// Of materials[index]; -1 is the specification's default material.
+  std::uint32_t material(int index);
+
   const GltfDocument& document_;
   Scene& scene_;
   TextureTable& textures_;
   Warnings& warnings_;
+  const std::optional<std::size_t> variant_;
   std::map<int, std::uint32_t> ids_;
 };
 

@@ -8,12 +8,14 @@ namespace {
 
 /// One line for everything in the file that the picture will lack.
 void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warnings& warnings) {
-  loaded.extensions_used = document.extensions_used();
-  for (const std::string& extension : document.extensions_used()) {
-    if (is_supported_gltf_extension(extension)) continue;
+  loaded.contents = document.contents();
+  for (const std::string& extension : loaded.contents.extensions_used) {
+    if (const auto not_honoured = what_is_not_honoured(extension)) loaded.not_honoured.push_back(*not_honoured);
+    if (is_supported_gltf_extension(extension) || is_harmless_gltf_extension(extension)) continue;
     loaded.extensions_unsupported.push_back(extension);
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
+  for (NotHonoured& part : parts_not_honoured(loaded.contents)) loaded.not_honoured.push_back(std::move(part));
   if (document.has_animations()) warnings.add("animations are not supported and ignored");
 }
 
@@ -26,7 +28,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
   report_unsupported(document, loaded, warnings);
 
   TextureTable textures(document, loaded.scene, warnings);
-  MaterialTable materials(document, loaded.scene, textures, warnings);
+  MaterialTable materials(document, loaded.scene, textures, warnings, choose_variant(document, options.variant));
   const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
   add_instances(document, nodes, loaded.scene, materials, warnings);
   add_cameras(document, nodes, loaded.scene, warnings);

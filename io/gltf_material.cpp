@@ -87,6 +87,10 @@ class MaterialReader {
 
 }  // namespace
 
+std::uint32_t MaterialTable::material(const tinygltf::Primitive& primitive, const std::string& place) {
+  return material(material_of_variant(primitive, variant_, place, warnings_));
+}
+
 std::uint32_t MaterialTable::material(int index) {
   const auto [entry, is_new] = ids_.try_emplace(index, static_cast<std::uint32_t>(scene_.materials.size()));
   if (!is_new) return entry->second;

@@ -192,16 +192,15 @@ void check_uv_sets(const Mesh& mesh, const Material& material, const std::string
   });
 }
 
-/// The uvs that tangents follow where the file has none; nothing for a material that needs no tangents, which would
-/// cost 16 bytes a vertex. One tangent space serves all textures: those of the extensions "should use the same texture
-/// coordinates" as the normal texture.
-std::optional<std::uint32_t> uv_set_of_tangents(const Material& material) {
-  if (material.normal_texture.is_used()) return material.normal_texture.uv_set;
-  if (!material.extensions) return {};
+/// The texture whose coordinates tangents follow where the file has none; nothing for a material that needs no
+/// tangents, which would cost 16 bytes a vertex. One tangent space serves all textures: those of the extensions "should
+/// use the same texture coordinates" as the normal texture.
+const TextureSlot* slot_of_tangents(const Material& material) {
+  if (material.normal_texture.is_used()) return &material.normal_texture;
+  if (!material.extensions) return nullptr;
   const MaterialExtensions& more = *material.extensions;
-  if (more.clearcoat_normal_texture.is_used()) return more.clearcoat_normal_texture.uv_set;
-  if (more.anisotropy > 0) return more.anisotropy_texture.uv_set;
-  return {};
+  if (more.clearcoat_normal_texture.is_used()) return &more.clearcoat_normal_texture;
+  return more.anisotropy > 0 ? &more.anisotropy_texture : nullptr;
 }
 
 }  // namespace
@@ -229,13 +228,13 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation) {
     if (kept != nullptr) kept->is_read = true;
     if (!mesh) continue;
     mesh->name = object.name;
-    mesh->material = materials_.material(primitive.material);
+    mesh->material = materials_.material(primitive, place);
     const Material& material = scene_.materials[mesh->material];
     check_uv_sets(*mesh, material, place, warnings_);
-    const std::optional<std::uint32_t> uv_set = uv_set_of_tangents(material);
+    const TextureSlot* const slot = slot_of_tangents(material);
     if (is_known) {
       reader.reuse(*mesh, kept->selection, bytes_left_);
-    } else if (uv_set) {
+    } else if (slot != nullptr) {
       reader.read_tangents(*mesh);
     }
     // What does not move is kept ready for use, what does as it is in the file.
@@ -243,8 +242,8 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation) {
     if (!is_known || !deformation.is_none()) {
       reader.bend(deformation, *mesh);
       reader.repair(*mesh);
-      if (uv_set && mesh->tangents.empty() && !mesh->uvs[*uv_set].empty()) {
-        generate_tangents(*mesh, static_cast<int>(*uv_set));
+      if (slot != nullptr && mesh->tangents.empty() && !mesh->uvs[slot->uv_set].empty()) {
+        generate_tangents(*mesh, *slot);
       }
     }
     if (kept != nullptr && !is_known && deformation.is_none()) *kept = {true, mesh, {}};

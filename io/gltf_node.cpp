@@ -256,7 +256,7 @@ void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedN
     Scene unused;
     Warnings unheard;
     TextureTable unused_textures(document, unused, unheard);
-    MaterialTable unused_materials(document, unused, unused_textures, unheard);
+    MaterialTable unused_materials(document, unused, unused_textures, unheard, {});
     MeshReader(document, unused, unused_materials, unheard).read(m, {});
   }
 }

@@ -165,9 +165,15 @@ class SchemaCheck {
 
   std::size_t target_size(std::string_view target) const {
     static const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
-    if (target == "lights") return root_.contains(lights) ? root_.at(lights).size() : 0;
+    static const json::json_pointer variants("/extensions/KHR_materials_variants/variants");
+    if (target == "lights") return size_at(lights);
+    if (target == "variants") return size_at(variants);
     const auto found = root_.find(target);
     return found != root_.end() && found->is_array() ? found->size() : 0;
+  }
+
+  std::size_t size_at(const json::json_pointer& array) const {
+    return root_.contains(array) ? root_.at(array).size() : 0;
   }
 
   json& root_;

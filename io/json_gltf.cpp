@@ -88,7 +88,11 @@ JsonGeometryFiles::Gltf add_file(const JsonNode& object, LoadedScene part, std::
   gltf.cameras = std::move(part.scene.cameras);
   for (const std::string& warning : part.warnings) loaded.warnings.push_back(object.place() + ": " + warning);
   append(loaded.files, part.files);
-  append(loaded.extensions_used, part.extensions_used);
+  append(loaded.contents.extensions_used, part.contents.extensions_used);
+  append(loaded.contents.extensions_required, part.contents.extensions_required);
+  for (const NotHonoured& each : part.not_honoured) {
+    loaded.not_honoured.push_back({object.place() + ": " + each.what, each.reason});
+  }
   append(loaded.extensions_unsupported, part.extensions_unsupported);
   return gltf;
 }

@@ -104,7 +104,8 @@ LoadedScene load_json_scene(const std::filesystem::path& path) {
   if (environment) scene.environment = read_environment_of(*environment, loaded);
   loaded.is_lit = environment || !scene.punctual_lights.empty() || has_emission(scene);
   loaded.render_defaults = read_render_defaults(files);
-  sort_unique(loaded.extensions_used);
+  sort_unique(loaded.contents.extensions_used);
+  sort_unique(loaded.contents.extensions_required);
   sort_unique(loaded.extensions_unsupported);
   bake_single_instances(scene);
   return loaded;

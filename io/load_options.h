@@ -7,7 +7,8 @@ namespace candil {
 
 /// Words may be the index or the name of what they choose; empty: the file's own choice.
 struct LoadOptions {
-  std::string scene;  ///< Of scenes[].
+  std::string scene;    ///< Of scenes[].
+  std::string variant;  ///< Of KHR_materials_variants.
 
   bool operator==(const LoadOptions&) const = default;
 };

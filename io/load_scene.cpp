@@ -38,7 +38,7 @@ bool looks_like_gltf(std::string_view text) {
 }
 
 LoadedScene without_choice(LoadedScene loaded, const LoadOptions& options) {
-  if (options != LoadOptions{}) loaded.warnings.push_back("only glTF files have scenes to choose from");
+  if (options != LoadOptions{}) loaded.warnings.push_back("only glTF files have scenes and the like to choose from");
   return loaded;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/gltf_contents.h"
 #include "io/load_options.h"
 
 namespace candil {
@@ -25,8 +26,9 @@ struct RenderDefaults {
 struct LoadedScene {
   Scene scene;                        ///< Baked (bake_single_instances()) and valid: renderers need no further check.
   std::vector<std::string> warnings;  ///< One line each; oddities that do not stop a render.
-  std::vector<std::string> extensions_used;         ///< As the file lists them, sorted.
-  std::vector<std::string> extensions_unsupported;  ///< Those of them that were ignored.
+  GltfContents contents;              ///< Of the file; of a JSON scene, the extensions of its glTF files.
+  std::vector<NotHonoured> not_honoured;            ///< Of the contents.
+  std::vector<std::string> extensions_unsupported;  ///< Those that were ignored and could change the picture.
   std::vector<std::filesystem::path> files;         ///< All that were read, for programs that must not replace them.
   RenderDefaults render_defaults;                   ///< Of a JSON scene.
   /// The file says what lights it, be it darkness: a JSON scene with lights, an emitting material or an environment.

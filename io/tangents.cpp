@@ -66,7 +66,8 @@ struct VertexTangents {
 
 class TangentGenerator {
  public:
-  TangentGenerator(Mesh& mesh, const std::vector<Vec2>& uvs) : mesh_(mesh), uvs_(uvs), is_flat_(mesh.normals.empty()) {}
+  TangentGenerator(Mesh& mesh, std::vector<Vec2> uvs)
+      : mesh_(mesh), uvs_(std::move(uvs)), is_flat_(mesh.normals.empty()) {}
 
   void run() {
     if (is_flat_) separate_triangles();
@@ -101,6 +102,7 @@ class TangentGenerator {
       attribute = std::move(expanded);
     };
     expand(mesh_.positions);
+    expand(uvs_);
     expand(mesh_.uvs[0]);
     expand(mesh_.uvs[1]);
     expand(mesh_.colors);
@@ -203,7 +205,7 @@ class TangentGenerator {
   }
 
   Mesh& mesh_;
-  const std::vector<Vec2>& uvs_;
+  std::vector<Vec2> uvs_;  // per vertex of the mesh as it was
   const bool is_flat_;
   std::vector<std::uint32_t> welded_;  // per vertex of the mesh as it was
   std::vector<Vec3> normals_;          // of welded vertices
@@ -215,6 +217,15 @@ class TangentGenerator {
 
 void generate_tangents(Mesh& mesh, int uv_set) {
   TangentGenerator(mesh, mesh.uvs[static_cast<std::size_t>(uv_set)]).run();
+}
+
+void generate_tangents(Mesh& mesh, const TextureSlot& slot) {
+  std::vector<Vec2> looked_up = mesh.uvs[slot.uv_set];
+  for (Vec2& uv : looked_up) {
+    uv = Vec2(glm::dot(slot.row_u, Vec3(uv, 1)), glm::dot(slot.row_v, Vec3(uv, 1)));
+    if (!(std::abs(uv.x) + std::abs(uv.y) < infinity)) uv = Vec2(0);
+  }
+  TangentGenerator(mesh, std::move(looked_up)).run();
 }
 
 }  // namespace candil

@@ -14,4 +14,8 @@ namespace candil {
 /// chosen such that w cross(normal, tangent) is the direction of decreasing glTF v, the "up" of the image.
 void generate_tangents(Mesh& mesh, int uv_set);
 
+/// Likewise from the coordinates at which `slot` is looked up, its transform applied: a transform gives the picture
+/// that transformed coordinates would.
+void generate_tangents(Mesh& mesh, const TextureSlot& slot);
+
 }  // namespace candil

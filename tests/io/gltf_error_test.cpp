@@ -49,10 +49,13 @@ TEST(GltfError, NamesAllRequiredExtensionsThatAreMissing) {
   EXPECT_EQ(load_error("{" + asset + R"(,"extensionsRequired":["KHR_mesh_quantization","B_b","KHR_xmp","A_a"]})"),
             "model.gltf: extensionsRequired: A_a, B_b are not supported; export the file without them");
   const LoadedScene loaded =
-      load_text("{" + asset + R"(,"extensionsUsed":["KHR_materials_sheen","KHR_materials_ior"]})");
-  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"extension KHR_materials_sheen is not supported and ignored"});
-  EXPECT_EQ(loaded.extensions_used, (std::vector<std::string>{"KHR_materials_ior", "KHR_materials_sheen"}));
-  EXPECT_EQ(loaded.extensions_unsupported, std::vector<std::string>{"KHR_materials_sheen"});
+      load_text("{" + asset + R"(,"extensionsUsed":["KHR_materials_ior","KHR_xmp","ACME_paint"]})");
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"extension ACME_paint is not supported and ignored"});
+  EXPECT_EQ(loaded.contents.extensions_used, (std::vector<std::string>{"ACME_paint", "KHR_materials_ior", "KHR_xmp"}));
+  EXPECT_EQ(loaded.extensions_unsupported, std::vector<std::string>{"ACME_paint"});
+  ASSERT_EQ(loaded.not_honoured.size(), 2u);
+  EXPECT_EQ(loaded.not_honoured[0].what + ", " + loaded.not_honoured[0].reason, "ACME_paint, unsupported");
+  EXPECT_EQ(loaded.not_honoured[1].what + ", " + loaded.not_honoured[1].reason, "KHR_xmp, ignored: metadata");
 }
 
 TEST(GltfError, RefusesWhatIsNotGltf) {
