@@ -121,8 +121,10 @@ struct Material {
             transmission_texture.texture) != invalid_id ||
            extensions.has_value();
   }
-  bool is_transmissive() const { return transmission > 0; }
-  bool is_volume() const { return transmission > 0 && thickness > 0; }
+  bool transmits_diffusely() const { return extensions && extensions->diffuse_transmission > 0; }
+  /// Lets light through to the other side, diffusely or not.
+  bool is_transmissive() const { return transmission > 0 || transmits_diffusely(); }
+  bool is_volume() const { return thickness > 0 && is_transmissive(); }
   bool is_emissive() const { return !is_black(emission) || is_unlit; }
 };
 

@@ -37,7 +37,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_lights_punctual", GltfTier::full},
     {"KHR_materials_anisotropy", GltfTier::unsupported},
     {"KHR_materials_clearcoat", GltfTier::unsupported},
-    {"KHR_materials_diffuse_transmission", GltfTier::unsupported},
+    {"KHR_materials_diffuse_transmission", GltfTier::full},
     {"KHR_materials_dispersion", GltfTier::unsupported},
     {"KHR_materials_emissive_strength", GltfTier::full},
     {"KHR_materials_ior", GltfTier::full},

@@ -14,7 +14,8 @@ BsdfTables::BsdfTables(const Scene& scene)
       mean_fresnel_of_material_[m] = fresnel_conductor_average(material.conductor_eta, material.conductor_k);
     }
     if (material.model != MaterialModel::metallic_roughness) continue;
-    const bool refracts = material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
+    const bool refracts =
+        material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
     if (!refracts || material.roughness == 0) continue;
     const auto known = std::find_if(dielectrics_.begin(), dielectrics_.end(),
                                     [&](const DielectricAlbedo& table) { return table.ior() == material.ior; });

@@ -52,7 +52,7 @@ bool has_specular(const Material& material) {
     case MaterialModel::metallic_roughness:
       break;
   }
-  return material.specular > 0 || material.metallic > 0 || material.is_transmissive();
+  return material.specular > 0 || material.metallic > 0 || material.transmission > 0;
 }
 
 float channel(const Scene& scene, const TextureSlot& slot, const SurfacePoint& point, int index) {
@@ -91,6 +91,16 @@ OpaqueParameters specular_glossiness(const Scene& scene, const Material& materia
   return p;
 }
 
+void add_diffuse_transmission(const Scene& scene, const MaterialExtensions& extensions, const SurfacePoint& point,
+                              OpaqueParameters& p) {
+  p.diffuse_transmission =
+      extensions.diffuse_transmission * channel(scene, extensions.diffuse_transmission_texture, point, 3);
+  p.transmission_color = extensions.diffuse_transmission_color;
+  if (!extensions.diffuse_transmission_color_texture.is_used()) return;
+  p.transmission_color *=
+      Vec3(sample_texture(scene, extensions.diffuse_transmission_color_texture, point.uv, ColorSpace::srgb));
+}
+
 }  // namespace
 
 Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo) {
@@ -107,7 +117,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     return bsdf;
   }
   const Vec3 base(base_color(scene, material, point.uv, point.color));
-  if (!is_specular) {  // Lambertian, whatever the other parameters are
+  if (!is_specular && !material.transmits_diffusely()) {  // Lambertian, whatever the other parameters are
     make_lambertian(base);
     return bsdf;
   }
@@ -140,13 +150,15 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const Vec3 f0 = glm::min(reflectance_of_ior(material.ior) * color, Vec3(1)) * specular;
   const Vec3 f90(specular);
   const float transmission =
-      material.is_transmissive() ? material.transmission * channel(scene, material.transmission_texture, point, 0) : 0;
+      material.transmission > 0 ? material.transmission * channel(scene, material.transmission_texture, point, 0) : 0;
 
   bsdf.dielectric_weight_ = (1 - metallic) * transmission;
   if (bsdf.dielectric_weight_ < 1) {
     // What does not transmit: metal and coated diffuse in proportion.
     const float metal = metallic / (1 - bsdf.dielectric_weight_);
-    bsdf.opaque_.emplace(OpaqueParameters{roughness, metal, base, f0, f90}, tables.ggx(), local_o);
+    OpaqueParameters p{roughness, metal, base, f0, f90};
+    if (material.transmits_diffusely()) add_diffuse_transmission(scene, *material.extensions, point, p);
+    bsdf.opaque_.emplace(p, tables.ggx(), local_o);
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;

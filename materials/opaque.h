@@ -7,7 +7,9 @@
 /// reflection;
 /// - the base gets what the coat's albedo leaves over, on the way in and out (Kelemen and Szirmay-Kalos 2001), instead
 ///   of 1 - F(V.H): white stays exactly white in a furnace, and the lobe is reciprocal.
-/// Local frame: z is the shading normal, wo.z > 0.
+/// KHR_materials_diffuse_transmission lets a share of the base's light through to the other side. The coat is on both
+/// sides of the sheet: what crosses the base has crossed the one and the other, alike.
+/// Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is diffuse transmission.
 #pragma once
 
 #include <optional>
@@ -23,6 +25,8 @@ struct OpaqueParameters {
   float metallic = 0;                  ///< Share of the metal.
   Vec3 base{0.0f};                     ///< Albedo of the diffuse base, f0 of the metal.
   Vec3 coat_f0{0.0f}, coat_f90{0.0f};  ///< Reflectance of the dielectric coat at normal and grazing incidence.
+  float diffuse_transmission = 0;      ///< Share of the diffuse base that lets light through instead of reflecting it.
+  Vec3 transmission_color{1.0f};       ///< Of that share, in place of `base`.
 };
 
 class OpaqueLobes {
@@ -31,20 +35,25 @@ class OpaqueLobes {
 
   BsdfEval eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator) const;
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction, const ShadowTerminator& terminator) const;
-  bool is_purely_delta() const { return (is_delta_ || !has_specular_) && is_black(diffuse_); }
+  bool is_purely_delta() const { return (is_delta_ || !has_specular_) && is_black(diffuse_) && is_black(transmitted_); }
   Vec3 albedo() const { return albedo_; }
   float survival_probability() const { return max_component(albedo_); }
 
  private:
+  GgxAlbedo::Split single_scattering(float cosine) const;
+  /// What the coat leaves over for the base, given its single scattering.
+  float left_by_coat(const GgxAlbedo::Split& single) const;
   Vec3 diffuse_like(float cosine_i) const;
+  BsdfEval eval_transmission(Vec3 wi, const ShadowTerminator& terminator) const;
 
   const GgxAlbedo* table_ = nullptr;
   float roughness_ = 1, alpha_ = 1;
   bool has_specular_ = false, is_delta_ = false;
-  float specular_probability_ = 0;
+  float specular_probability_ = 0, transmission_probability_ = 0;
   Vec3 f0_{0.0f}, f90_{0.0f};
-  Vec3 diffuse_{0.0f};   // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
-  Vec3 multiple_{0.0f};  // colour x (1 - E(wo)) / (1 - mean E)
+  Vec3 diffuse_{0.0f};      // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
+  Vec3 transmitted_{0.0f};  // the same for the share that lets light through
+  Vec3 multiple_{0.0f};     // colour x (1 - E(wo)) / (1 - mean E)
   float coat_f0_ = 0, coat_f90_ = 0, coat_multiple_ = 0;
   Vec3 albedo_{0.0f};
 };

@@ -78,6 +78,25 @@ void rough_glass(SceneBuilder& builder) {
   builder.add_sphere(Vec3(0.9f, 0, -0.4f), 0.6f, builder.add_diffuse(Vec3(0.2f, 0.3f, 0.8f)), 16);
 }
 
+/// Sheets that let light through, one without a coat, and a ball with an absorbing inside around a lamp.
+void translucent_things(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f)), true);
+  add_ceiling_light(builder, Vec3(5));
+  Material leaf = glossy(0, 0.4f, Vec3(0.2f, 0.6f, 0.1f));
+  leaf.extensions.emplace().diffuse_transmission = 0.6f;
+  leaf.extensions->diffuse_transmission_color = Vec3(0.7f, 0.9f, 0.2f);
+  builder.add_quad(Vec3(-1.5f, 1, -1.5f), Vec3(3, 0, 0), Vec3(0, 0, 2), builder.add_material(leaf));
+  Material paper = leaf;
+  paper.specular = 0;
+  builder.add_quad(Vec3(-1.5f, -0.9f, 0.8f), Vec3(1.3f, 0, 0), Vec3(0, 1, 0.2f), builder.add_material(paper));
+  Material wax = leaf;
+  wax.base_color = Vec4(0.8f, 0.8f, 0.7f, 1);
+  wax.thickness = 1, wax.is_double_sided = false;
+  wax.attenuation_color = Vec3(0.9f, 0.6f, 0.3f), wax.attenuation_distance = 0.6f;
+  builder.add_sphere(Vec3(0.7f, -0.1f, 0), 0.8f, builder.add_material(wax), 16);
+  builder.add_sphere(Vec3(0.6f, 0, 0), 0.3f, builder.add_material(emitter(Vec3(6, 6, 8))), 16);
+}
+
 /// A two-sided emitter whose texture, which becomes the scene's only one, leaves it partly there.
 Material glowing_checks(SceneBuilder& builder, Vec3 emission, std::uint8_t last_alpha) {
   TextureImage checks;
@@ -140,9 +159,13 @@ void shape_lights(SceneBuilder& builder) {
   builder.add_shape(ShapeKind::sphere, {Mat3(0.5f), Vec3(0.8f, -0.5f, 0.4f)}, builder.add_material(glass));
 }
 
-const NamedScene scenes[] = {{"glossy_room", glossy_room},         {"sky_with_sun", sky_with_sun},
-                             {"rough_glass", rough_glass},         {"partly_there", partly_there},
-                             {"instanced_light", instanced_light}, {"shape_lights", shape_lights}};
+const NamedScene scenes[] = {{"glossy_room", glossy_room},
+                             {"sky_with_sun", sky_with_sun},
+                             {"rough_glass", rough_glass},
+                             {"partly_there", partly_there},
+                             {"instanced_light", instanced_light},
+                             {"shape_lights", shape_lights},
+                             {"translucent_things", translucent_things}};
 
 class Agreement : public testing::TestWithParam<NamedScene> {};
 

@@ -58,7 +58,7 @@ TEST(Bsdf, WeightTimesPdfIsWhatEvalSays) {
 TEST(Bsdf, IsReciprocal) {
   for (const NamedMaterial& named : rough_materials()) {
     const ClosureBench bench(named.material);
-    const bool refracts = named.material.is_volume() && named.material.ior > 0;
+    const bool refracts = named.material.is_volume() && named.material.transmission > 0 && named.material.ior > 0;
     const auto index = [&](Vec3 w) { return w.z < 0 && refracts ? named.material.ior : 1.0f; };
     int compared = 0;
     for (std::uint32_t i = 0; i < 500; ++i) {

@@ -45,6 +45,12 @@ Material sheet(float roughness) {
   return m;
 }
 
+Material translucent(float roughness, float share) {
+  Material m = white(roughness);
+  m.extensions.emplace().diffuse_transmission = share;
+  return m;
+}
+
 /// As wide as a GGX lobe of that roughness, about: n = 2 / alpha^2 - 2.
 Material phong(float roughness, Vec3 kd, Vec3 ks) {
   Material m;
@@ -103,6 +109,16 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
       {"mirror_of_infinite_ior", glass(r, 0), true},
       {"bubble_in_glass", glass(r, 1 / 1.5f), true},
       {"bubble_in_diamond", with(glass(r, 1 / 2.42f), [](Material& m) { m.base_color = Vec4(0.9f, 0.8f, 0.7f, 1); })},
+      {"translucent", translucent(r, 0.4f), true},
+      {"translucent_volume", with(translucent(r, 1), [](Material& m) { m.thickness = 1; }), true},
+      {"translucent_without_coat", with(translucent(r, 0.7f), [](Material& m) { m.specular = 0; }), true},
+      {"half_transmissive_translucent", with(translucent(r, 0.5f), [](Material& m) { m.transmission = 0.5f; }), true},
+      {"leaf", with(translucent(r, 0.6f),
+                    [](Material& m) {
+                      m.base_color = Vec4(0.1f, 0.4f, 0.05f, 1);
+                      m.extensions->diffuse_transmission_color = Vec3(0.6f, 0.8f, 0.1f);
+                      m.metallic = 0.2f;
+                    })},
       {"phong", phong(r, Vec3(0.65f), Vec3(0.2f))},
       {"coloured_phong", phong(r, Vec3(0.1f, 0.2f, 0.6f), Vec3(0.9f, 0.5f, 0.3f))},
       {"conductor_gold", conductor(r, Vec3(0.188f, 0.544f, 1.332f), Vec3(3.403f, 2.231f, 1.869f))},
