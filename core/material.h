@@ -125,6 +125,10 @@ struct Material {
   /// Lets light through to the other side, diffusely or not.
   bool is_transmissive() const { return transmission > 0 || transmits_diffusely(); }
   bool is_volume() const { return thickness > 0 && is_transmissive(); }
+  /// A volume that refracts each wavelength by its own index; needs `ior` above 1.
+  bool is_dispersive() const {
+    return thickness > 0 && transmission > 0 && ior > 1 && extensions && extensions->dispersion > 0;
+  }
   bool is_emissive() const { return !is_black(emission) || is_unlit; }
 };
 

@@ -59,7 +59,8 @@ PathSample trace_classic(const RenderContext& context, const RenderSettings& set
     if (state.bounce >= settings.max_bounces) break;
 
     face_viewer(point, wo);
-    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
+    const Wavelength wavelength = wavelength_at(state, context.scene, point, sampler);
+    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo, wavelength);
     const VertexSamples u(sampler, state.bounce);
     const float survival = glm::min(bsdf.survival_probability(), most_likely_survival);
     if (!(u.roulette() < survival)) break;  // absorbed
@@ -67,7 +68,7 @@ PathSample trace_classic(const RenderContext& context, const RenderSettings& set
     if (!bsdf.is_purely_delta()) {
       state.radiance += state.throughput * punctual_light(context, point, bsdf, wo, state.medium, rays);
     }
-    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction())) break;
+    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction(), wavelength)) break;
     ++rays.bounce;
   }
   return {state.radiance, 1};

@@ -45,9 +45,11 @@ PathSample show_albedo(const RenderContext&, const RenderSettings&, const Ray&, 
 
 BatchIntegrator integrator_function(IntegratorKind kind);
 
-/// Sampler dimensions: the camera's, then four for each vertex (see VertexSamples).
+/// Sampler dimensions: the camera's, then four for each vertex (see VertexSamples); from the other end, what few paths
+/// need.
 namespace dimension {
 inline constexpr std::uint32_t filter = 0, lens = 1, first_vertex = 2, per_vertex = 4;
+inline constexpr std::uint32_t wavelength = ~std::uint32_t{0};
 }  // namespace dimension
 
 }  // namespace candil

@@ -24,9 +24,10 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
         state.throughput * emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);
     if (state.bounce >= settings.max_bounces) break;
     face_viewer(point, wo);
-    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo);
+    const Wavelength wavelength = wavelength_at(state, context.scene, point, sampler);
+    const Bsdf bsdf = make_bsdf(context.scene, context.tables, point, wo, wavelength);
     const VertexSamples u(sampler, state.bounce);
-    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction())) break;
+    if (!scatter(state, context.scene, point, bsdf, u.lobe(), u.direction(), wavelength)) break;
     if (!survives_roulette(state, u.roulette())) break;
     ++rays.bounce;
   }

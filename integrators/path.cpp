@@ -144,11 +144,13 @@ class Batch {
     if (state.bounce >= settings_.max_bounces) return false;
 
     face_viewer(point, wo);
-    const Bsdf bsdf = make_bsdf(scene_, context_.tables, point, wo);
+    const Wavelength wavelength = wavelength_at(state, scene_, point, samples_[i].sampler);
+    const Bsdf bsdf = make_bsdf(scene_, context_.tables, point, wo, wavelength);
     if (!bsdf.is_purely_delta() && !context_.lights.is_empty() && choose_light(lane, point, bsdf, wo, u)) {
       shadows.add(i);
     }
-    return scatter(state, scene_, point, bsdf, u.lobe(), u.direction()) && survives_roulette(state, u.roulette());
+    return scatter(state, scene_, point, bsdf, u.lobe(), u.direction(), wavelength) &&
+           survives_roulette(state, u.roulette());
   }
 
   /// Next-event estimation up to the shadow ray; false when no light can come this way.

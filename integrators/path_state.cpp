@@ -14,6 +14,15 @@ std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 
   return glm::dot(wo, point.normal_geometric) < 0 ? invalid_id : current;
 }
 
+Wavelength choose_wavelength(PathState& state, bool is_front, const Sampler& sampler) {
+  if (state.wavelength > 0) return {state.wavelength};
+  const Wavelength chosen = sample_wavelength(sampler.sample_2d(dimension::wavelength).x);
+  if (is_front) return chosen;
+  state.throughput *= chosen.response;
+  state.wavelength = chosen.nanometres;
+  return {state.wavelength};
+}
+
 Vec3 background(const RenderContext& context, const PathState& state) {
   const auto& backdrop = context.scene.environment.backdrop;
   if (state.sees_backdrop && backdrop) return *backdrop;

@@ -14,6 +14,7 @@ struct PathState {
   std::uint32_t bounce = 0;           ///< Scattering events so far.
   std::uint32_t medium = invalid_id;  ///< Material whose volume the ray crosses, or none.
   float bsdf_pdf = 0;                 ///< Density, 1/sr, with which the last closure chose the ray.
+  float wavelength = 0;               ///< Nanometres, from the first dispersive volume on; before that 0.
   Vec3 from{0.0f};                    ///< The last surface point, without offset.
   bool is_specular = true;    ///< The ray is a camera ray or left a delta lobe: nothing else could have found it.
   bool sees_backdrop = true;  ///< Camera ray so far, bent at most by specular transmission.
@@ -62,12 +63,25 @@ Vec3 volume_transmittance(const Scene& scene, std::uint32_t medium, float distan
 /// off the outside keeps it; a path that leaves a volume is in none, even if that volume was inside another.
 std::uint32_t medium_beyond(const Scene& scene, const SurfacePoint& point, Vec3 wo, Vec3 wi, std::uint32_t current);
 
+/// What chooses a wavelength for the path when a dispersive volume asks for one; see wavelength_at().
+Wavelength choose_wavelength(PathState& state, bool is_front, const Sampler& sampler);
+
+/// The wavelength for the closure at `point`; none unless its material disperses light. A path that is outside gets its
+/// wavelength's response with what the closure transmits, and has made its choice when it goes that way: reflections
+/// off the outside stay white. A path that began inside has to choose before anything else happens to it.
+inline Wavelength wavelength_at(PathState& state, const Scene& scene, const SurfacePoint& point,
+                                const Sampler& sampler) {
+  if (!scene.materials[point.material].is_dispersive()) return {};
+  return choose_wavelength(state, glm::dot(state.ray.direction, point.normal_geometric) <= 0, sampler);
+}
+
 /// Radiance from beyond the scene for the state's ray, the camera's backdrop included.
 Vec3 background(const RenderContext& context, const PathState& state);
 
-/// Samples the closure and turns the state's ray into its direction; false when the path ends here.
+/// Samples the closure, made for that wavelength, and turns the state's ray into its direction; false when the path
+/// ends here.
 inline bool scatter(PathState& state, const Scene& scene, const SurfacePoint& point, const Bsdf& bsdf, float u_lobe,
-                    Vec2 u_direction) {
+                    Vec2 u_direction, const Wavelength& wavelength) {
   const Vec3 wo = -state.ray.direction;
   const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, u_direction);
   if (!sample || is_black(sample->weight)) return false;
@@ -78,6 +92,7 @@ inline bool scatter(PathState& state, const Scene& scene, const SurfacePoint& po
   state.sees_backdrop = state.sees_backdrop && sample->is_delta && sample->is_transmission;
   state.from = point.position;
   state.medium = medium_beyond(scene, point, wo, sample->wi, state.medium);
+  if (wavelength.nanometres > 0 && state.medium == point.material) state.wavelength = wavelength.nanometres;
   state.ray.origin = offset_origin(point, sample->wi);
   state.ray.direction = sample->wi;
   state.ray.t_max = infinity;

@@ -38,7 +38,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_materials_anisotropy", GltfTier::unsupported},
     {"KHR_materials_clearcoat", GltfTier::unsupported},
     {"KHR_materials_diffuse_transmission", GltfTier::full},
-    {"KHR_materials_dispersion", GltfTier::unsupported},
+    {"KHR_materials_dispersion", GltfTier::full},
     {"KHR_materials_emissive_strength", GltfTier::full},
     {"KHR_materials_ior", GltfTier::full},
     {"KHR_materials_iridescence", GltfTier::unsupported},

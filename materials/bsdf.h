@@ -11,6 +11,7 @@
 #include "core/frame.h"
 #include "core/surface.h"
 #include "core/warp.h"
+#include "core/wavelength.h"
 #include "materials/bsdf_tables.h"
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
@@ -40,7 +41,7 @@ class Bsdf {
   Vec3 shading_normal() const { return frame_.normal; }
 
  private:
-  friend Bsdf make_bsdf(const Scene&, const BsdfTables&, const SurfacePoint&, Vec3 wo);
+  friend Bsdf make_bsdf(const Scene&, const BsdfTables&, const SurfacePoint&, Vec3 wo, const Wavelength&);
   Bsdf(Vec3 shading_normal, Vec3 normal_of_sides)
       : frame_(shading_normal), normal_of_sides_(normal_of_sides), is_flat_(shading_normal == normal_of_sides) {}
   /// Whether wi leaves on the side that the local frame and the surface agree on.
@@ -103,7 +104,9 @@ inline std::optional<BsdfSample> Bsdf::sample_lambertian(Vec2 u) const {
   return result;
 }
 
-/// The closure of the material at a point, seen from `wo`.
-Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo);
+/// The closure of the material at a point, seen from `wo`. The wavelength is for materials that disperse light: what is
+/// transmitted takes its response; without one they have their mean index.
+Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo,
+               const Wavelength& wavelength = {});
 
 }  // namespace candil

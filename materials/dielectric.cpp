@@ -19,7 +19,8 @@ DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo&
       f0_(p.f0),
       f90_(p.f90) {
   eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
-  has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.ior));
+  reflecting_eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.reflecting_ior : p.reflecting_ior;
+  has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.reflecting_ior));
   is_delta_ = alpha_ < ggx_min_alpha || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
   if (is_delta_) return;
   lost_ = lost_energy(wo.z, Side::here);
@@ -36,9 +37,9 @@ DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo&
 
 Vec3 DielectricLobes::reflectance(float cosine) const {
   if (reflects_all_) return Vec3(1);
-  const float exact = fresnel_dielectric(cosine, eta_);
+  const float exact = fresnel_dielectric(cosine, reflecting_eta_);
   if (has_exact_fresnel_ || exact >= 1) return Vec3(exact);
-  const float f0 = sqr((eta_ - 1) / (eta_ + 1));
+  const float f0 = sqr((reflecting_eta_ - 1) / (reflecting_eta_ + 1));
   return glm::clamp(f0_ + (f90_ - f0_) * ((exact - f0) / (1 - f0)), 0.0f, 1.0f);
 }
 

@@ -18,8 +18,9 @@
 namespace candil {
 
 struct DielectricParameters {
-  float roughness = 0;  ///< Perceptual.
-  float ior = 1.5f;     ///< Of the medium behind the front side; 0: infinite.
+  float roughness = 0;          ///< Perceptual.
+  float ior = 1.5f;             ///< Of the medium behind the front side; 0: infinite.
+  float reflecting_ior = 1.5f;  ///< The same, of which reflectance follows; another one only where light is dispersed.
   bool is_thin = false;
   bool from_inside = false;   ///< wo is inside of the medium; false for thin walls.
   Vec3 tint{1.0f};            ///< Colour of what is transmitted at this interface.
@@ -51,7 +52,8 @@ class DielectricLobes {
   const GgxAlbedo* ggx_ = nullptr;
   const DielectricAlbedo* table_ = nullptr;
   float roughness_ = 0, alpha_ = 0;
-  float eta_ = 1;  // index beyond the interface over the index on wo's side
+  float eta_ = 1;             // index beyond the interface over the index on wo's side
+  float reflecting_eta_ = 1;  // the same, of which reflectance follows
   bool is_thin_ = false, from_inside_ = false, is_delta_ = true;
   bool has_exact_fresnel_ = true, reflects_all_ = false;
   Vec3 tint_{1.0f}, f0_{0.04f}, f90_{1.0f};

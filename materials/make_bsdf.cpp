@@ -91,6 +91,19 @@ OpaqueParameters specular_glossiness(const Scene& scene, const Material& materia
   return p;
 }
 
+struct Indices {
+  float refracting, reflecting;
+};
+
+/// Of a wavelength, if there is one. From outside, all wavelengths are reflected like that of the mean index:
+/// highlights are worth a choice of wavelength neither in noise nor in colour, since the reflectance of glass of Abbe
+/// number 20 differs by 0.2 % of the light between red and blue.
+Indices indices(const Material& material, bool is_front, const Wavelength& wavelength) {
+  if (wavelength.nanometres == 0) return {material.ior, material.ior};
+  const float ior = dispersed_ior(material.ior, material.extensions->dispersion, wavelength.nanometres);
+  return {ior, is_front ? material.ior : ior};
+}
+
 void add_diffuse_transmission(const Scene& scene, const MaterialExtensions& extensions, const SurfacePoint& point,
                               OpaqueParameters& p) {
   p.diffuse_transmission =
@@ -103,7 +116,8 @@ void add_diffuse_transmission(const Scene& scene, const MaterialExtensions& exte
 
 }  // namespace
 
-Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo) {
+Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint& point, Vec3 wo,
+               const Wavelength& wavelength) {
   const Material& material = scene.materials[point.material];
   const bool is_front = glm::dot(wo, point.normal_geometric) >= 0;
   const float side = is_front ? 1.0f : -1.0f;
@@ -147,7 +161,8 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   }
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
   const Vec3 color = specular_color(scene, material, point);
-  const Vec3 f0 = glm::min(reflectance_of_ior(material.ior) * color, Vec3(1)) * specular;
+  const auto [ior, reflecting_ior] = indices(material, is_front, wavelength);
+  const Vec3 f0 = glm::min(reflectance_of_ior(reflecting_ior) * color, Vec3(1)) * specular;
   const Vec3 f90(specular);
   const float transmission =
       material.transmission > 0 ? material.transmission * channel(scene, material.transmission_texture, point, 0) : 0;
@@ -158,15 +173,17 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     const float metal = metallic / (1 - bsdf.dielectric_weight_);
     OpaqueParameters p{roughness, metal, base, f0, f90};
     if (material.transmits_diffusely()) add_diffuse_transmission(scene, *material.extensions, point, p);
+    p.transmission_color *= wavelength.response;
     bsdf.opaque_.emplace(p, tables.ggx(), local_o);
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;
     p.roughness = roughness;
-    p.ior = material.ior;
+    p.ior = ior;
+    p.reflecting_ior = reflecting_ior;
     p.is_thin = !material.is_volume();
     p.from_inside = !is_front && !p.is_thin;
-    p.tint = base;
+    p.tint = base * wavelength.response;
     p.f0 = f0;
     p.f90 = f90;
     p.table = tables.dielectric(point.material);

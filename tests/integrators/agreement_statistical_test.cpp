@@ -78,6 +78,18 @@ void rough_glass(SceneBuilder& builder) {
   builder.add_sphere(Vec3(0.9f, 0, -0.4f), 0.6f, builder.add_diffuse(Vec3(0.2f, 0.3f, 0.8f)), 16);
 }
 
+/// A lamp inside of rough dispersive glass: next-event estimation goes through its surface, at the path's wavelength.
+void lamp_in_dispersive_glass(SceneBuilder& builder) {
+  builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f)), true);
+  add_ceiling_light(builder, Vec3(3));
+  Material glass = glossy(0, 0.5f, Vec3(1));
+  glass.transmission = 1, glass.thickness = 1, glass.is_double_sided = false;
+  glass.ior = 1.7f;
+  glass.extensions.emplace().dispersion = 4;
+  builder.add_sphere(Vec3(0), 1, builder.add_material(glass), 16);
+  builder.add_sphere(Vec3(0.1f, 0, 0), 0.5f, builder.add_material(emitter(Vec3(4, 3, 5))), 16);
+}
+
 /// Sheets that let light through, one without a coat, and a ball with an absorbing inside around a lamp.
 void translucent_things(SceneBuilder& builder) {
   builder.add_cube(Vec3(0), 3, builder.add_diffuse(Vec3(0.5f)), true);
@@ -165,6 +177,7 @@ const NamedScene scenes[] = {{"glossy_room", glossy_room},
                              {"partly_there", partly_there},
                              {"instanced_light", instanced_light},
                              {"shape_lights", shape_lights},
+                             {"lamp_in_dispersive_glass", lamp_in_dispersive_glass},
                              {"translucent_things", translucent_things}};
 
 class Agreement : public testing::TestWithParam<NamedScene> {};

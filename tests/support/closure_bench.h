@@ -24,7 +24,9 @@ class ClosureBench {
  public:
   /// With another normal it is a point of which a normal map has bent the normal.
   explicit ClosureBench(const Material& material, Vec3 normal = Vec3(0, 0, 1));
-  Bsdf bsdf(Vec3 wo) const { return make_bsdf(scene_, tables_, point_, wo); }
+  Bsdf bsdf(Vec3 wo, const Wavelength& wavelength = {}) const {
+    return make_bsdf(scene_, tables_, point_, wo, wavelength);
+  }
   const Material& material() const { return scene_.materials[0]; }
 
  private:
