@@ -63,7 +63,9 @@ bool makes_pixels(std::string_view name) {
 }  // namespace
 
 std::vector<std::byte> keep_png_pixels(Bytes encoded) {
-  std::vector<std::byte> kept(encoded.begin(), encoded.begin() + std::min(signature_size, encoded.size()));
+  std::vector<std::byte> kept;
+  kept.reserve(encoded.size());
+  kept.assign(encoded.begin(), encoded.begin() + std::min(signature_size, encoded.size()));
   std::size_t offset = signature_size;
   bool has_header = false, has_data = false;
   while (true) {

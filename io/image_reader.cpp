@@ -60,6 +60,20 @@ void divide_by_alpha(std::span<std::uint8_t> rgba) {
   }
 }
 
+/// Copies `count` pixels of `channels` values to places that are `stride` values apart.
+template <typename Value>
+void spread(const Value* from, std::size_t count, int channels, Value* to, int stride) {
+  if (channels == 3 && stride == 4) {  // the usual case, in a form that compilers make fast
+    for (std::size_t i = 0; i < count; ++i) {
+      to[4 * i] = from[3 * i];
+      to[4 * i + 1] = from[3 * i + 1];
+      to[4 * i + 2] = from[3 * i + 2];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i, from += channels, to += stride) std::copy_n(from, channels, to);
+}
+
 }  // namespace
 
 ImageReader::ImageReader(Bytes encoded, ImageFormat format)
@@ -94,10 +108,25 @@ bool ImageReader::is_unassociated() const {
   return has_multiplied_webp() || spec_.get_int_attribute("oiio:UnassociatedAlpha") != 0;
 }
 
-void ImageReader::read_as(OIIO::TypeDesc type, void* pixels, int stride) {
-  const auto pixel_bytes = static_cast<OIIO::stride_t>(type.size()) * stride;
-  if (!input_->read_image(0, 0, first_channel_, first_channel_ + channels_, type, pixels, pixel_bytes))
-    throw std::runtime_error(first_line(input_->geterror()));
+template <typename Value>
+void ImageReader::read_as(OIIO::TypeDesc type, Value* pixels, int stride) {
+  const int width = spec_.width, height = spec_.height, last_channel = first_channel_ + channels_;
+  const auto fail = [&] { throw std::runtime_error(first_line(input_->geterror())); };
+  if (stride == channels_ || spec_.tile_width != 0) {
+    const auto pixel_bytes = static_cast<OIIO::stride_t>(sizeof(Value)) * stride;
+    if (!input_->read_image(0, 0, first_channel_, last_channel, type, pixels, pixel_bytes)) fail();
+  } else {
+    // The library spreads pixels one by one, through a copy of the whole image; some rows at a time stay in the cache.
+    constexpr int rows = 16;
+    std::vector<Value> values(static_cast<std::size_t>(width) * rows * static_cast<std::size_t>(channels_));
+    for (int y = 0; y < height; y += rows) {
+      const int end = std::min(y + rows, height);
+      if (!input_->read_scanlines(0, 0, y, end, 0, first_channel_, last_channel, type, values.data())) fail();
+      spread(values.data(), static_cast<std::size_t>(width) * static_cast<std::size_t>(end - y), channels_, pixels,
+             stride);
+      pixels += static_cast<std::size_t>(width) * static_cast<std::size_t>(end - y) * static_cast<std::size_t>(stride);
+    }
+  }
   input_->close();
   static_cast<void>(input_->geterror());  // complaints about a readable image would be printed when it is destroyed
 }

@@ -36,7 +36,8 @@ class ImageReader {
   void read(float* pixels, int stride);
 
  private:
-  void read_as(OIIO::TypeDesc type, void* pixels, int stride);
+  template <typename Value>
+  void read_as(OIIO::TypeDesc type, Value* pixels, int stride);
   bool has_multiplied_webp() const;
 
   ImageFormat format_;
