@@ -11,7 +11,7 @@
 namespace candil {
 
 /// The formats that are read at all, whatever else the library could do.
-enum class ImageFormat { png, jpeg, webp, hdr, exr, pfm, ppm, tiff };
+enum class ImageFormat { png, jpeg, webp, avif, hdr, exr, pfm, ppm, tiff };
 
 /// Tells the format by the first bytes, never by the name; nothing for any other kind of file.
 std::optional<ImageFormat> detect_image_format(std::span<const std::byte> encoded);

@@ -13,9 +13,9 @@
 
 namespace candil {
 
-/// Decodes a texture (PNG, JPEG, WebP where the library has it) held in memory. Pixels stay as stored: colour
-/// space hints in the file (gAMA, ICC) are ignored, as glTF demands. `name` is used in messages and kept.
-/// Throws InputError(file, place, ...) when it cannot be decoded, is of another kind, or larger than 16384 x 16384.
+/// Decodes a texture (PNG, JPEG, KTX2; WebP and AVIF where the library has them) in memory. Pixels stay as stored:
+/// colour space hints in the file (gAMA, ICC) are ignored, as glTF demands. `name` is used in messages and kept. Throws
+/// InputError(file, place, ...) when it cannot be decoded, is of another kind, or larger than 16384 x 16384.
 TextureImage decode_texture(std::span<const std::byte> encoded, const std::string& name, const std::string& file,
                             const std::string& place);
 

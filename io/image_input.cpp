@@ -19,6 +19,8 @@ const char* library_name(ImageFormat format) {
       return "openexr";
     case ImageFormat::tiff:
       return "tiff";
+    case ImageFormat::avif:
+      return "heif";
     case ImageFormat::pfm:
     case ImageFormat::ppm:
       break;  // read without the library
@@ -49,19 +51,35 @@ void check_kind(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOProxy& file, ImageFormat format,
-                                             OIIO::ImageSpec& spec) {
+std::unique_ptr<OIIO::ImageInput> create_image_input(ImageFormat format) {
   // Created by the name of its format: opening by a file name would go on to try every plugin there is.
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(library_name(format));
   if (!input) {
     OIIO::geterror();
-    throw std::runtime_error(std::string("this OpenImageIO cannot read ") + library_name(format) + " files");
+    throw std::runtime_error(std::string("this OpenImageIO cannot read ") +
+                             (format == ImageFormat::avif ? "AVIF: it has no libheif" : library_name(format)));
   }
+  return input;
+}
+
+namespace {
+
+/// How every image is opened; what is not asked for here is the library's default.
+void open_input(OIIO::ImageInput& input, const std::string& name, OIIO::ImageSpec& spec) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->set_ioproxy(&file) || !input->open("memory", spec, config))
-    throw std::runtime_error(first_line(input->geterror()));
-  return input;
+  if (!input.open(name, spec, config)) throw std::runtime_error(first_line(input.geterror()));
+}
+
+}  // namespace
+
+void open_image(OIIO::ImageInput& input, OIIO::Filesystem::IOProxy& file, OIIO::ImageSpec& spec) {
+  if (!input.set_ioproxy(&file)) throw std::runtime_error(first_line(input.geterror()));
+  open_input(input, "memory", spec);
+}
+
+void open_image(OIIO::ImageInput& input, const TemporaryFile& file, OIIO::ImageSpec& spec) {
+  open_input(input, file.path(), spec);
 }
 
 }  // namespace candil

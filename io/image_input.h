@@ -9,13 +9,18 @@
 #include <string>
 
 #include "io/image_decoder.h"
+#include "io/temporary_file.h"
 
 namespace candil {
 
-/// Opens a file in memory or on disk, which outlives what is returned; `spec` becomes that of its first image. Not for
-/// PFM and PPM. Throws std::runtime_error with one line.
-std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOProxy& file, ImageFormat format,
-                                             OIIO::ImageSpec& spec);
+/// The library's reader of a format. Not for PFM and PPM. Throws std::runtime_error where this library has none.
+std::unique_ptr<OIIO::ImageInput> create_image_input(ImageFormat format);
+
+/// Opens a file that outlives the use of `input`; `spec` becomes that of its first image. Throws std::runtime_error
+/// with one line.
+void open_image(OIIO::ImageInput& input, OIIO::Filesystem::IOProxy& file, OIIO::ImageSpec& spec);
+/// For readers that do not support "ioproxy".
+void open_image(OIIO::ImageInput& input, const TemporaryFile& file, OIIO::ImageSpec& spec);
 
 /// Throws std::runtime_error for an image that is empty, too large, or larger than the file can mean.
 void check_size(const OIIO::ImageSpec& spec, std::size_t encoded_bytes);

@@ -132,7 +132,8 @@ ImageMetadata read_texts(const OIIO::ImageSpec& spec) {
 
 LayeredImage decode(OIIO::Filesystem::IOProxy& file, const LayerChoice& choose) {
   OIIO::ImageSpec spec;
-  const std::unique_ptr<OIIO::ImageInput> input = open_image(file, ImageFormat::exr, spec);
+  const std::unique_ptr<OIIO::ImageInput> input = create_image_input(ImageFormat::exr);
+  open_image(*input, file, spec);
   check_size(spec, file.size());
   check_kind(spec);
   LayeredImage result;

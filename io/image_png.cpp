@@ -21,21 +21,37 @@ std::uint32_t big_endian(Bytes bytes) {
   return value;
 }
 
-/// CRC-32 of ISO 3309, as PNG (third edition) section 5.5 wants, for each value of a byte.
-constexpr std::array<std::uint32_t, 256> make_crc_table() {
-  std::array<std::uint32_t, 256> table{};
+using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+/// CRC-32 of ISO 3309, as PNG (third edition) section 5.5 wants: of a byte, and of a byte that 1 to 7 zeros follow.
+constexpr CrcTables make_crc_tables() {
+  CrcTables tables{};
   for (std::uint32_t i = 0; i < 256; ++i) {
     std::uint32_t value = i;
     for (int bit = 0; bit < 8; ++bit) value = value & 1 ? 0xedb88320u ^ value >> 1 : value >> 1;
-    table[i] = value;
+    tables[0][i] = value;
   }
-  return table;
+  for (std::size_t zeros = 1; zeros < tables.size(); ++zeros) {
+    for (std::size_t i = 0; i < 256; ++i) {
+      const std::uint32_t shorter = tables[zeros - 1][i];
+      tables[zeros][i] = tables[0][shorter & 0xff] ^ shorter >> 8;
+    }
+  }
+  return tables;
 }
 
+/// Eight bytes at a time: Kounavis and Berry, "Novel Table Lookup-Based Algorithms for High-Performance CRC
+/// Generation", IEEE Transactions on Computers 57, 2008.
 std::uint32_t crc32(Bytes bytes) {
-  static constexpr std::array<std::uint32_t, 256> table = make_crc_table();
+  static constexpr CrcTables tables = make_crc_tables();
+  const auto at = [&](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); };
   std::uint32_t crc = ~0u;
-  for (const std::byte byte : bytes) crc = table[(crc ^ std::to_integer<std::uint32_t>(byte)) & 0xff] ^ crc >> 8;
+  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
+    const std::uint32_t first = crc ^ (at(0) | at(1) << 8 | at(2) << 16 | at(3) << 24);
+    crc = tables[7][first & 0xff] ^ tables[6][first >> 8 & 0xff] ^ tables[5][first >> 16 & 0xff] ^
+          tables[4][first >> 24] ^ tables[3][at(4)] ^ tables[2][at(5)] ^ tables[1][at(6)] ^ tables[0][at(7)];
+  }
+  for (const std::byte byte : bytes) crc = tables[0][(crc ^ std::to_integer<std::uint32_t>(byte)) & 0xff] ^ crc >> 8;
   return ~crc;
 }
 
@@ -47,7 +63,9 @@ bool makes_pixels(std::string_view name) {
 }  // namespace
 
 std::vector<std::byte> keep_png_pixels(Bytes encoded) {
-  std::vector<std::byte> kept(encoded.begin(), encoded.begin() + std::min(signature_size, encoded.size()));
+  std::vector<std::byte> kept;
+  kept.reserve(encoded.size());
+  kept.assign(encoded.begin(), encoded.begin() + std::min(signature_size, encoded.size()));
   std::size_t offset = signature_size;
   bool has_header = false, has_data = false;
   while (true) {

@@ -82,7 +82,9 @@ LayeredImage as_picture(const DecodedImage& decoded, const LayerChoice& choose) 
 template <typename Decode>
 auto read_file(const std::filesystem::path& path, std::span<const std::byte> start, const Decode& decode) {
   const std::optional<ImageFormat> format = detect_image_format(start);
-  if (!format) throw InputError(path.string(), "", "not an HDR, EXR, PFM, PPM, TIFF, PNG, JPEG or WebP image");
+  // AVIF comes in glTF files only.
+  if (!format || *format == ImageFormat::avif)
+    throw InputError(path.string(), "", "not an HDR, EXR, PFM, PPM, TIFF, PNG, JPEG or WebP image");
   try {
     return decode(*format);
   } catch (const std::runtime_error& error) {

@@ -3,6 +3,7 @@
 #include "io/error.h"
 #include "io/image_decoder.h"
 #include "io/image_file.h"
+#include "io/image_reader.h"
 #include "io/ktx2_container.h"
 #include "io/ktx2_texture.h"
 
@@ -10,21 +11,22 @@ namespace candil {
 namespace {
 
 /// Widens 1 to 4 channels to RGBA: grey is copied, absent alpha is `one`.
-template <typename Value, typename Pixel>
-std::vector<Pixel> to_rgba(const std::vector<Value>& values, int channels, Value one) {
-  const bool is_grey = channels < 3, has_alpha = channels == 2 || channels == 4;
-  std::vector<Pixel> pixels(values.size() / channels);
-  const Value* value = values.data();
+template <typename Pixel, typename Value>
+std::vector<Pixel> read_rgba(ImageReader& reader, Value one) {
+  std::vector<Pixel> pixels(static_cast<std::size_t>(reader.width()) * static_cast<std::size_t>(reader.height()),
+                            Pixel(one));
+  reader.read(&pixels[0].x, 4);
+  if (reader.channels() > 2) return pixels;
   for (Pixel& pixel : pixels) {
-    pixel = is_grey ? Pixel(value[0], value[0], value[0], one) : Pixel(value[0], value[1], value[2], one);
-    if (has_alpha) pixel.w = value[channels - 1];
-    value += channels;
+    if (reader.channels() == 2) pixel.w = pixel.y;
+    pixel.y = pixel.z = pixel.x;
   }
   return pixels;
 }
 
 bool is_texture_format(ImageFormat format) {
-  return format == ImageFormat::png || format == ImageFormat::jpeg || format == ImageFormat::webp;
+  return format == ImageFormat::png || format == ImageFormat::jpeg || format == ImageFormat::webp ||
+         format == ImageFormat::avif;
 }
 
 }  // namespace
@@ -38,14 +40,17 @@ TextureImage decode_texture(std::span<const std::byte> encoded, const std::strin
       return texture;
     }
     const std::optional<ImageFormat> format = detect_image_format(encoded);
-    if (!format || !is_texture_format(*format)) throw std::runtime_error("not a PNG, JPEG, WebP or KTX2 image");
-    const DecodedImage decoded = decode_image(encoded, *format);
+    if (!format || !is_texture_format(*format)) throw std::runtime_error("not a PNG, JPEG, WebP, AVIF or KTX2 image");
+    ImageReader reader(encoded, *format);
     TextureImage texture;
     texture.name = name;
-    texture.width = decoded.width, texture.height = decoded.height;
-    texture.has_alpha = decoded.channels == 2 || decoded.channels == 4;
-    texture.rgba8 = to_rgba<std::uint8_t, glm::u8vec4>(decoded.bytes, decoded.channels, 255);
-    texture.rgba32 = to_rgba<float, Vec4>(decoded.floats, decoded.channels, 1.0f);
+    texture.width = reader.width(), texture.height = reader.height();
+    texture.has_alpha = reader.channels() % 2 == 0;
+    if (reader.is_8_bit()) {
+      texture.rgba8 = read_rgba<glm::u8vec4, std::uint8_t>(reader, 255);
+    } else {
+      texture.rgba32 = read_rgba<Vec4, float>(reader, 1.0f);
+    }
     return texture;
   } catch (const std::runtime_error& error) {
     throw InputError(file, place, name + ": " + error.what());

@@ -8,6 +8,7 @@
 #include "io/error.h"
 #include "tests/io/image_samples.h"
 #include "tests/support/gltf/gltf_sample.h"
+#include "tests/support/gltf/ktx2_sample.h"
 
 namespace candil::test {
 namespace {
@@ -357,6 +358,39 @@ TEST(GltfMaterial, WebpFallsBackToTheCoreImage) {
   EXPECT_EQ(loaded.warnings.size(), 1u);
   sample.textures[0] = R"({"extensions":{"EXT_texture_webp":{"source":1}}})";
   EXPECT_NE(load_error(sample).find("images[1].uri"), std::string::npos);
+}
+
+// Basis Universal before AVIF before WebP before the core's PNG or JPEG: the first that can be decoded counts, and one
+// warning says why an earlier one was not.
+TEST(GltfMaterial, TakesTheFirstImageThatCanBeDecoded) {
+  GltfSample sample = sample_with_material(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  sample.textures[0] = R"({"source":0,"extensions":{"EXT_texture_webp":{"source":2},"EXT_texture_avif":{"source":3},
+      "KHR_texture_basisu":{"source":1}}})";
+  const std::string ktx2 = R"({"uri":"data:image/ktx2;base64,)" + to_base64(read_test_data("uastc.ktx2")) + "\"}";
+  const std::string grey = "{\"uri\":\"data:image/png;base64," + std::string(png_grey8) + "\"}";
+  const std::string broken = R"({"uri":"data:application/octet-stream;base64,AAAA"})";
+  const auto load = [&](const std::string& basisu, const std::string& webp, const std::string& avif) {
+    sample.images.resize(1);
+    sample.images.insert(sample.images.end(), {basisu, webp, avif});
+    LoadedScene loaded = load_sample(sample);
+    EXPECT_EQ(loaded.scene.images.size(), 1u);
+    return std::pair(std::move(loaded.scene.images.at(0)), std::move(loaded.warnings));
+  };
+  const auto [first, no_warnings] = load(ktx2, grey, grey);
+  EXPECT_EQ(first.width, 16);
+  EXPECT_TRUE(no_warnings.empty());
+  // Avif and WebP stand for two pictures here: the format is told by the bytes, whatever the extension.
+  const auto [second, warnings] = load(broken, broken, grey);
+  EXPECT_EQ(second.rgba8.at(0), glm::u8vec4(7, 7, 7, 255));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("images[1]"), std::string::npos);
+  const auto [last, more_warnings] = load(broken, broken, broken);
+  EXPECT_EQ(last.rgba8.at(0), glm::u8vec4(200, 100, 50, 128));
+  EXPECT_EQ(more_warnings.size(), 1u);
+  sample.textures[0] = R"({"extensions":{"KHR_texture_basisu":{"source":1}}})";
+  EXPECT_NE(load_error(sample).find("images[1].uri"), std::string::npos);
+  sample.textures[0] = R"({"extensions":{"KHR_texture_basisu":{"source":9}}})";
+  EXPECT_NE(load_error(sample).find("textures[0].extensions.KHR_texture_basisu.source"), std::string::npos);
 }
 
 TEST(GltfMaterial, NormalTexturesGetTangents) {

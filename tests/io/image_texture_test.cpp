@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/error.h"
 #include "io/image_file.h"
 #include "tests/io/image_samples.h"
+#include "tests/support/gltf/ktx2_sample.h"
 
 namespace candil {
 namespace {
@@ -82,8 +87,54 @@ TEST(DecodeTexture, KeepsWebpColorsApartFromAlpha) {
   EXPECT_EQ(image.rgba8[1], Rgba(10, 20, 30, 255));
 }
 
+TEST(DecodeTexture, ReadsAvif) {
+  TextureImage image;
+  try {
+    image = decode(test::read_test_data("alpha.avif"));
+  } catch (const InputError& error) {
+    ASSERT_NE(std::string(error.what()).find("cannot read AVIF"), std::string::npos) << error.what();
+    GTEST_SKIP() << "this OpenImageIO has no libheif";
+  }
+  ASSERT_EQ(image.rgba8.size(), 256u);
+  EXPECT_TRUE(image.has_alpha);
+  // At this quality the coding is off by a few levels, most in blue, which weighs least in what it stores.
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(image.rgba8[16 * y + x][c], test::ktx2_sample_texel(x, y)[c], 10) << x << ", " << y << ", " << c;
+}
+
+/// `bytes` of it replaced where `name` is found first, `offset` after its start.
+Bytes with_bytes(Bytes file, std::string_view name, std::size_t offset, std::initializer_list<int> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  std::size_t i = text.find(name) + offset;
+  for (const int byte : bytes) file.at(i++) = static_cast<std::byte>(byte);
+  return file;
+}
+
+// The library decodes while it opens a file, so that this has to come before.
+TEST(DecodeTexture, ChecksAvifBeforeDecoding) {
+  const Bytes whole = test::read_test_data("alpha.avif");
+  EXPECT_NE(error_of(with_bytes(whole, "ispe", 8, {0, 0, 0x40, 1})).find("the limit is 16384 x 16384"),
+            std::string::npos);
+  EXPECT_NE(error_of(with_bytes(whole, "av01", 0, {'h', 'v', 'c', '1'})).find("not coded as AV1"), std::string::npos);
+  EXPECT_NE(error_of(with_bytes(whole, "av01", 0, {'g', 'r', 'i', 'd'})).find("several pictures"), std::string::npos);
+  EXPECT_NE(error_of(with_bytes(whole, "ispe", 0, {'f', 'r', 'e', 'e'})), "no error");
+}
+
+TEST(DecodeTexture, SurvivesCutAndChangedAvif) {
+  const Bytes whole = test::read_test_data("alpha.avif");
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(error_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(i))).find('\n'),
+              std::string::npos);
+    Bytes damaged = whole;
+    damaged[i] ^= std::byte{0x41};
+    EXPECT_EQ(error_of(damaged).find('\n'), std::string::npos);
+  }
+}
+
 TEST(DecodeTexture, NamesFilePlaceAndImageInErrors) {
-  EXPECT_EQ(error_of({}), "chair.gltf: images[2]: wood.png: not a PNG, JPEG, WebP or KTX2 image");
+  EXPECT_EQ(error_of({}), "chair.gltf: images[2]: wood.png: not a PNG, JPEG, WebP, AVIF or KTX2 image");
 }
 
 // A decoder for TIFF, PSD or DICOM behind a texture would be an attack surface that glTF never asks for.
@@ -92,7 +143,7 @@ TEST(DecodeTexture, RefusesFormatsThatAreNotTextures) {
   for (const std::string_view magic : {tiff, exr, gif}) {
     Bytes bytes(200);
     std::memcpy(bytes.data(), magic.data(), magic.size());
-    EXPECT_NE(error_of(bytes).find("not a PNG, JPEG, WebP or KTX2 image"), std::string::npos);
+    EXPECT_NE(error_of(bytes).find("not a PNG, JPEG, WebP, AVIF or KTX2 image"), std::string::npos);
   }
 }
 
