@@ -114,6 +114,7 @@ bool has_effect(const MaterialExtensions& more) {
 
 void read_material_extensions(const MaterialSource& source, Material& material) {
   material.is_unlit = source.has_extension("KHR_materials_unlit");
+  if (material.is_unlit) return;  // base colour, alpha and sides are all of it; the others exclude it
   if (const auto properties = source.extension("KHR_materials_pbrSpecularGlossiness")) {
     read_specular_glossiness(*properties, material);
     return;  // which excludes the others
@@ -125,7 +126,6 @@ void read_material_extensions(const MaterialSource& source, Material& material) 
   visit("KHR_materials_specular", read_specular, material);
   visit("KHR_materials_transmission", read_transmission, material);
   visit("KHR_materials_volume", read_volume, material);
-  if (material.is_unlit) return;  // which excludes the others
   MaterialExtensions more;
   if (material.is_volume()) visit("KHR_materials_dispersion", read_dispersion, more);
   visit("KHR_materials_diffuse_transmission", read_diffuse_transmission, more);

@@ -72,7 +72,37 @@ TEST(Info, NamesCamerasLightsAndUnknownExtensions) {
   EXPECT_EQ(info["extensions_unsupported"], nlohmann::json({"ACME_flying_carpet"}));
   EXPECT_EQ(info["bounds"], nullptr);
   const ProgramResult text = run_program({"info", "lamp.gltf"}, folder.path());
-  EXPECT_NE(text.output.find("ACME_flying_carpet"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("not honoured ACME_flying_carpet: unsupported\n"), std::string::npos) << text.output;
+}
+
+TEST(Info, ListsChoicesAndWhatPicturesLack) {
+  const TemporaryFolder folder;
+  write_text(folder / "shoe.gltf", R"({
+    "asset": {"version": "2.0"}, "scenes": [{"name": "Shop"}, {}],
+    "extensionsUsed": ["KHR_materials_variants", "KHR_xmp_json_ld"], "extensionsRequired": ["KHR_xmp_json_ld"],
+    "extensions": {"KHR_materials_variants": {"variants": [{"name": "Red"}, {"name": "Blue"}]}},
+    "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0},
+                               {"attributes": {"POSITION": 0}, "mode": 3},
+                               {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}]}]
+  })");
+  const ProgramResult result = run_program({"info", "--json", "shoe.gltf"}, folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json info = nlohmann::json::parse(result.output);
+  EXPECT_EQ(info["scenes"], nlohmann::json({"Shop", ""}));
+  EXPECT_EQ(info["variants"], nlohmann::json({"Red", "Blue"}));
+  EXPECT_EQ(info["primitives"], nlohmann::json({{"morphed", 1}, {"points", 1}, {"lines", 1}}));
+  EXPECT_EQ(info["extensions_required"], nlohmann::json({"KHR_xmp_json_ld"}));
+  EXPECT_TRUE(info["extensions_unsupported"].empty());
+  EXPECT_EQ(info["not_honoured"][0], nlohmann::json({{"what", "KHR_xmp_json_ld"}, {"reason", "ignored: metadata"}}));
+  const ProgramResult text = run_program({"info", "shoe.gltf"}, folder.path());
+  for (const char* const line : {"0 'Shop', 1", "0 'Red', 1 'Blue'", "1 with morph targets, 1 of points, 1 of lines"})
+    EXPECT_NE(text.output.find(line), std::string::npos) << text.output;
+  const ProgramResult wrong = run_program({"info", "shoe.gltf", "--variant", "Green"}, folder.path());
+  EXPECT_EQ(wrong.exit_code, 3);
+  EXPECT_EQ(count_errors(wrong), 1);
+  EXPECT_NE(wrong.errors.find("there is no variant \"Green\"; there are: 0 \"Red\", 1 \"Blue\""), std::string::npos)
+      << wrong.errors;
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <ostream>
+#include <regex>
 
 #include "tests/cli/run_program.h"
 
@@ -36,6 +38,8 @@ const std::vector<WrongUsage> wrong_usages = {
     {{}, "no scene given"},
     {{"render"}, "SCENE"},
     {{"info"}, "SCENE"},
+    {{"--list-extensions", "info", "square.gltf"}, "--list-extensions goes with no command"},
+    {{"info", "square.gltf", "--list-extensions"}, "--list-extensions"},
     {{"square.gltf", "extra"}, "extra"},
     {{"square.gltf", "--no-such-option"}, "--no-such-option"},
     {{"info", "square.gltf", "--spp", "3"}, "--spp"},
@@ -173,6 +177,24 @@ TEST(Help, ListsTheExitCodes) {
   const ProgramResult result = run_program({"--help"}, folder.path());
   EXPECT_NE(result.output.find("Exit codes: 0 done"), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("130 interrupted"), std::string::npos) << result.output;
+}
+
+TEST(Extensions, AreListedWithTheirTiers) {
+  const TemporaryFolder folder;
+  const ProgramResult text = run_program({"--list-extensions"}, folder.path());
+  EXPECT_EQ(text.exit_code, 0) << text.errors;
+  EXPECT_EQ(text.errors, "");
+  EXPECT_TRUE(std::regex_search(text.output, std::regex("\nKHR_texture_transform +full\n"))) << text.output;
+  EXPECT_TRUE(std::regex_search(text.output, std::regex("\nKHR_xmp_json_ld +ignored +metadata\n"))) << text.output;
+  const ProgramResult json = run_program({"--list-extensions", "--json"}, folder.path());
+  EXPECT_EQ(json.exit_code, 0) << json.errors;
+  const nlohmann::json list = nlohmann::json::parse(json.output).at("extensions");
+  const auto transform =
+      std::find_if(list.begin(), list.end(), [](const auto& row) { return row.at("name") == "KHR_texture_transform"; });
+  ASSERT_NE(transform, list.end());
+  EXPECT_EQ(transform->at("tier"), "full");
+  EXPECT_EQ(transform->at("is_honoured"), true);
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(Version, NamesTheLibraries) {

@@ -70,8 +70,7 @@ TEST(GltfMaterial, ReadsExtensions) {
       "KHR_materials_specular":{"specularFactor":0.5,"specularColorFactor":[2,1,0],"specularTexture":{"index":0},
         "specularColorTexture":{"index":1,"texCoord":1}},
       "KHR_materials_transmission":{"transmissionFactor":0.75,"transmissionTexture":{"index":2}},
-      "KHR_materials_volume":{"thicknessFactor":2,"attenuationDistance":0.5,"attenuationColor":[1,0.5,0.25]},
-      "KHR_materials_unlit":{}}})");
+      "KHR_materials_volume":{"thicknessFactor":2,"attenuationDistance":0.5,"attenuationColor":[1,0.5,0.25]}}})");
   EXPECT_EQ(material.emission, Vec3(3e9f, 1.5e9f, 0)) << "an integer of more than 31 bits";
   EXPECT_EQ(material.alpha_mode, AlphaMode::blend);
   EXPECT_EQ(material.ior, 1.33f);
@@ -84,7 +83,16 @@ TEST(GltfMaterial, ReadsExtensions) {
   EXPECT_EQ(material.thickness, 2);
   EXPECT_EQ(material.attenuation_distance, 0.5f);
   EXPECT_EQ(material.attenuation_color, Vec3(1, 0.5f, 0.25f));
+}
+
+// Sides count for unlit materials too: one that transmitted would be seen from behind.
+TEST(GltfMaterial, UnlitExcludesOtherExtensions) {
+  const Material material = load_material(R"({"extensions":{"KHR_materials_unlit":{},
+      "KHR_materials_transmission":{"transmissionFactor":1},
+      "KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0,0,0,1]}}})");
   EXPECT_TRUE(material.is_unlit);
+  EXPECT_FALSE(material.is_transmissive());
+  EXPECT_EQ(material.base_color, Vec4(1));
 }
 
 TEST(GltfMaterial, ReadsSpecularGlossinessInsteadOfMetallicRoughness) {
