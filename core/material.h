@@ -44,14 +44,14 @@ enum class MaterialModel : std::uint8_t {
 /// What few materials have, of glTF's extensions; the defaults are theirs and change nothing. Factors multiply
 /// textures.
 struct MaterialExtensions {
-  // KHR_materials_clearcoat: a dielectric layer of index 1.5 on top of everything but sheen.
+  // KHR_materials_clearcoat: a dielectric layer of index 1.5 on top of everything.
   float clearcoat = 0, clearcoat_roughness = 0;
   TextureSlot clearcoat_texture;            ///< R.
   TextureSlot clearcoat_roughness_texture;  ///< G.
   TextureSlot clearcoat_normal_texture;     ///< Unused: the coat has the normal of the geometry.
   float clearcoat_normal_scale = 1;
 
-  // KHR_materials_sheen: fibres on top of everything.
+  // KHR_materials_sheen: fibres on top of everything but the clear coat.
   Vec3 sheen_color{0.0f};
   TextureSlot sheen_color_texture;      ///< sRGB.
   float sheen_roughness = 0;            ///< Perceptual.

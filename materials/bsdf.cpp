@@ -29,6 +29,11 @@ ShadowTerminator Bsdf::shadow_terminator() const {
 }
 
 BsdfEval Bsdf::eval_layered(Vec3 wo, Vec3 wi) const {
+  const BsdfEval base = eval_base(wo, wi);
+  return layers_ ? layers_->over(base, wo, wi, normal_of_sides_) : base;
+}
+
+BsdfEval Bsdf::eval_base(Vec3 wo, Vec3 wi) const {
   const Vec3 local_o = frame_.to_local(wo), local_i = frame_.to_local(wi);
   if (!sides_agree(wi, local_i.z)) return {};
   const auto eval_reflecting = [&](const auto& lobes) { return lobes.eval(local_o, local_i, shadow_terminator()); };
@@ -41,6 +46,30 @@ BsdfEval Bsdf::eval_layered(Vec3 wo, Vec3 wi) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_layered(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+  if (!layers_) return sample_base(wo, u_lobe, u_direction);
+  const Layers::Choice choice = layers_->choose(u_lobe);
+  if (!(choice.probability > 0)) return std::nullopt;
+  const bool is_base = choice.part == Layers::Part::base;
+  std::optional<BsdfSample> sample =
+      is_base ? sample_base(wo, choice.u_rest, u_direction) : layers_->sample(choice.part, wo, u_direction);
+  if (!sample) return std::nullopt;
+  if (!is_base && glm::dot(sample->wi, normal_of_sides_) <= 0) {
+    if (!sample->is_delta) return std::nullopt;
+    sample->wi = bent_to_horizon(sample->wi, normal_of_sides_);
+  }
+  if (sample->is_delta) {
+    sample->weight *= (is_base ? layers_->base_scale() : 1.0f) / choice.probability;
+    sample->pdf *= choice.probability;
+    return sample;
+  }
+  const BsdfEval base = is_base ? BsdfEval{sample->weight * sample->pdf, sample->pdf} : eval_base(wo, sample->wi);
+  const BsdfEval all = layers_->over(base, wo, sample->wi, normal_of_sides_);
+  sample->weight = all.f_cos / all.pdf;
+  sample->pdf = all.pdf;
+  return sample;
+}
+
+std::optional<BsdfSample> Bsdf::sample_base(Vec3 wo, float u_lobe, Vec2 u_direction) const {
   const Vec3 local_o = frame_.to_local(wo);
   const bool takes_dielectric = u_lobe < dielectric_weight_;
   const float probability = takes_dielectric ? dielectric_weight_ : 1 - dielectric_weight_;
@@ -76,11 +105,17 @@ std::optional<BsdfSample> Bsdf::sample_layered(Vec3 wo, float u_lobe, Vec2 u_dir
 }
 
 bool Bsdf::has_only_delta_lobes() const {
+  if (layers_ && !layers_->is_purely_delta()) return false;
   const auto is_delta = [](const auto& lobes) { return lobes.is_purely_delta(); };
   return (dielectric_weight_ == 1 || with_reflecting(is_delta)) && (dielectric_weight_ == 0 || is_delta(*dielectric_));
 }
 
 Vec3 Bsdf::albedo() const {
+  const Vec3 base = base_albedo();
+  return layers_ ? layers_->albedo() + layers_->base_scale() * base : base;
+}
+
+Vec3 Bsdf::base_albedo() const {
   if (kind_ == Kind::lambertian) return diffuse_;
   if (dielectric_weight_ == 1) return dielectric_->albedo();
   const Vec3 reflecting = with_reflecting([](const auto& lobes) { return lobes.albedo(); });
@@ -88,6 +123,11 @@ Vec3 Bsdf::albedo() const {
 }
 
 float Bsdf::survival_probability() const {
+  const float base = base_survival_probability();
+  return layers_ ? max_component(layers_->albedo()) + layers_->base_scale() * base : base;
+}
+
+float Bsdf::base_survival_probability() const {
   if (kind_ == Kind::lambertian) return max_component(diffuse_);
   if (dielectric_weight_ == 1) return 1;
   const float reflecting = with_reflecting([](const auto& lobes) { return lobes.survival_probability(); });

@@ -15,6 +15,7 @@
 #include "materials/bsdf_tables.h"
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
+#include "materials/layers.h"
 #include "materials/opaque.h"
 #include "materials/phong.h"
 
@@ -55,8 +56,14 @@ class Bsdf {
   float lambertian_terminator(float cosine, float cosine_surface) const {
     return ShadowTerminator::factor(cosine, cosine_surface, glm::dot(frame_.normal, normal_of_sides_));
   }
+  /// All kinds but the Lambertian, with layers on them if there are any.
   BsdfEval eval_layered(Vec3 wo, Vec3 wi) const;
   std::optional<BsdfSample> sample_layered(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  /// Below the layers.
+  BsdfEval eval_base(Vec3 wo, Vec3 wi) const;
+  std::optional<BsdfSample> sample_base(Vec3 wo, float u_lobe, Vec2 u_direction) const;
+  Vec3 base_albedo() const;
+  float base_survival_probability() const;
   ShadowTerminator shadow_terminator() const;
   /// Calls `function` with the lobes that reflect; to be asked only if there are any.
   template <typename Function>
@@ -80,6 +87,7 @@ class Bsdf {
   std::optional<PhongLobes> phong_;
   std::optional<ConductorLobes> conductor_;
   std::optional<DielectricLobes> dielectric_;
+  std::optional<Layers> layers_;  // on all of them; never on a Lambertian kind
 };
 
 inline BsdfEval Bsdf::eval_lambertian(Vec3 wi) const {

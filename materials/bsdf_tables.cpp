@@ -14,6 +14,7 @@ BsdfTables::BsdfTables(const Scene& scene)
       mean_fresnel_of_material_[m] = fresnel_conductor_average(material.conductor_eta, material.conductor_k);
     }
     if (material.model != MaterialModel::metallic_roughness) continue;
+    if (!sheen_ && material.extensions && !is_black(material.extensions->sheen_color)) sheen_.emplace();
     const bool refracts =
         material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
     if (!refracts || material.roughness == 0) continue;

@@ -1,46 +1,13 @@
 // Where a material's parameters and textures become a closure.
 #include "core/emission.h"
-#include "core/texture.h"
 #include "materials/bsdf.h"
 #include "materials/fresnel.h"
+#include "materials/read_layers.h"
+#include "materials/shading_normal.h"
+#include "materials/texture_values.h"
 
 namespace candil {
 namespace {
-
-/// Front-side shading normal with the normal map applied (glTF 2.0, section 3.9.3).
-Vec3 mapped_normal(const Scene& scene, const Material& material, const SurfacePoint& point) {
-  if (!material.normal_texture.is_used() || point.tangent.w == 0) return point.normal;
-  const Vec3 t = 2.0f * Vec3(sample_texture(scene, material.normal_texture, point.uv, ColorSpace::linear)) - 1.0f;
-  const Vec3 tangent(point.tangent);
-  const Vec3 bitangent = (point.tangent.w < 0 ? -1.0f : 1.0f) * glm::cross(point.normal, tangent);
-  const Vec3 n = material.normal_scale * (t.x * tangent + t.y * bitangent) + t.z * point.normal;
-  const float squared = length_squared(n);
-  return squared > 0 ? n / glm::sqrt(squared) : point.normal;
-}
-
-/// A shading normal that suits `wo` and the surface, both on the same side of it: wo is above the normal, and so is the
-/// mirror direction above the surface. Where interpolation or a normal map went too far, the mirror direction is lifted
-/// to the horizon and the normal is put half-way between it and wo, so that specular light is bent rather than lost.
-Vec3 valid_normal(Vec3 normal, Vec3 normal_of_sides, Vec3 wo, bool has_specular) {
-  constexpr float least_cosine = 1e-3f;
-  const float cosine = glm::dot(normal, wo);
-  if (cosine < least_cosine) normal = glm::normalize(normal + (least_cosine - cosine) * wo);
-  if (!has_specular) return normal;
-  const Vec3 mirrored = 2 * glm::dot(normal, wo) * normal - wo;
-  const float height = glm::dot(mirrored, normal_of_sides);
-  const float least_height = glm::min(least_cosine, 0.5f * glm::dot(wo, normal_of_sides));
-  if (height >= least_height) return normal;
-  const Vec3 half = wo + glm::normalize(mirrored + (least_height - height) * normal_of_sides);
-  const float squared = length_squared(half);
-  return squared > 0 ? half / glm::sqrt(squared) : normal_of_sides;
-}
-
-/// The factor times the texture.
-Vec3 specular_color(const Scene& scene, const Material& material, const SurfacePoint& point) {
-  if (!material.specular_color_texture.is_used()) return material.specular_color;
-  return material.specular_color *
-         Vec3(sample_texture(scene, material.specular_color_texture, point.uv, ColorSpace::srgb));
-}
 
 bool has_specular(const Material& material) {
   switch (material.model) {
@@ -55,14 +22,12 @@ bool has_specular(const Material& material) {
   return material.specular > 0 || material.metallic > 0 || material.transmission > 0;
 }
 
-float channel(const Scene& scene, const TextureSlot& slot, const SurfacePoint& point, int index) {
-  return slot.is_used() ? sample_texture(scene, slot, point.uv, ColorSpace::linear)[index] : 1.0f;
-}
-
 /// ks gives way where textures push kd + ks above 1: no channel makes energy.
 PhongParameters phong_parameters(const Scene& scene, const Material& material, const SurfacePoint& point, Vec3 base) {
   const Vec3 left_over = glm::max(1.0f - base, Vec3(0));
-  return {base, glm::min(specular_color(scene, material, point), left_over), material.phong_exponent};
+  return {base,
+          glm::min(textured_color(scene, material.specular_color, material.specular_color_texture, point), left_over),
+          material.phong_exponent};
 }
 
 struct MetallicRoughness {
@@ -123,7 +88,8 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   const float side = is_front ? 1.0f : -1.0f;
   const Vec3 normal_of_sides = side * point.normal_of_sides();
   const bool is_specular = has_specular(material);
-  const Vec3 normal = valid_normal(side * mapped_normal(scene, material, point), normal_of_sides, wo, is_specular);
+  const Vec3 mapped = mapped_normal(scene, material.normal_texture, material.normal_scale, point);
+  const Vec3 normal = valid_normal(side * mapped, normal_of_sides, wo, is_specular);
   Bsdf bsdf(normal, normal_of_sides);
   const auto make_lambertian = [&](Vec3 albedo) { bsdf.kind_ = Bsdf::Kind::lambertian, bsdf.diffuse_ = albedo; };
   if (material.is_unlit) {
@@ -131,7 +97,10 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     return bsdf;
   }
   const Vec3 base(base_color(scene, material, point.uv, point.color));
-  if (!is_specular && !material.transmits_diffusely()) {  // Lambertian, whatever the other parameters are
+  LayerParameters layers;
+  if (material.extensions) layers = read_layers(scene, material, point, wo, side, normal_of_sides);
+  if (!is_specular && layers.is_empty() && !material.transmits_diffusely()) {
+    // Lambertian, whatever the other parameters are
     make_lambertian(base);
     return bsdf;
   }
@@ -160,7 +129,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     return bsdf;
   }
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
-  const Vec3 color = specular_color(scene, material, point);
+  const Vec3 color = textured_color(scene, material.specular_color, material.specular_color_texture, point);
   const auto [ior, reflecting_ior] = indices(material, is_front, wavelength);
   const Vec3 f0 = glm::min(reflectance_of_ior(reflecting_ior) * color, Vec3(1)) * specular;
   const Vec3 f90(specular);
@@ -189,6 +158,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     p.table = tables.dielectric(point.material);
     bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
   }
+  if (!layers.is_empty()) bsdf.layers_.emplace(make_layers(layers, tables, normal, wo, bsdf.base_albedo()));
   return bsdf;
 }
 

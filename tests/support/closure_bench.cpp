@@ -84,7 +84,60 @@ Material with(Material m, void (*change)(Material&)) {
   return m;
 }
 
-std::vector<NamedMaterial> materials_of_roughness(float r) {
+Material coated(Material m, float weight, float roughness) {
+  if (!m.extensions) m.extensions.emplace();
+  m.extensions->clearcoat = weight;
+  m.extensions->clearcoat_roughness = roughness;
+  return m;
+}
+
+/// A coat on top of everything that can lie below it, smooth ones included.
+std::vector<NamedMaterial> coated_materials(float r) {
+  return {
+      {"coated_diffuse", coated(with(white(1), [](Material& m) { m.specular = 0; }), 1, r), true, false},
+      {"coated_plastic", coated(white(0.4f), 1, r), true, false},
+      {"coated_black", coated(with(white(0.4f), [](Material& m) { m.base_color = Vec4(0, 0, 0, 1); }), 1, r), false,
+       false},
+      {"coated_metal", coated(metal(0.3f), 1, r), true, false},
+      {"coated_mirror", coated(metal(0), 1, r), true, false},
+      {"coated_half_metal", coated(with(white(0.5f), [](Material& m) { m.metallic = 0.5f; }), 0.6f, r), true, false},
+      {"coated_glass", coated(glass(0, 1.5f), 1, r), true, false},
+      {"coated_rough_glass", coated(glass(0.4f, 1.5f), 1, r), true, false},
+      {"coated_sheet", coated(sheet(0), 1, r), true, false},
+      {"coated_rough_sheet", coated(sheet(0.4f), 1, r), true, false},
+      {"coated_half_transmissive_glass",
+       coated(with(glass(0.3f, 1.5f), [](Material& m) { m.transmission = 0.5f; }), 0.5f, r), true, false},
+  };
+}
+
+Material with_sheen(Material m, Vec3 color, float roughness) {
+  if (!m.extensions) m.extensions.emplace();
+  m.extensions->sheen_color = color;
+  m.extensions->sheen_roughness = roughness;
+  return m;
+}
+
+/// Sheen on top of everything that can lie below it, and below a coat.
+std::vector<NamedMaterial> sheen_materials(float r) {
+  const Vec3 white_sheen(1), red(0.8f, 0.2f, 0.1f);
+  const Material diffuse = with(white(1), [](Material& m) { m.specular = 0; });
+  const Material black = with(white(0.4f), [](Material& m) { m.base_color = Vec4(0, 0, 0, 1); });
+  return {
+      {"sheen_on_diffuse", with_sheen(diffuse, white_sheen, r), true, false},
+      {"red_sheen_on_diffuse", with_sheen(diffuse, red, r), false, false},
+      {"sheen_on_black", with_sheen(black, white_sheen, r), false, false},
+      {"sheen_on_plastic", with_sheen(white(0.4f), Vec3(0.5f), r), true, false},
+      {"sheen_on_metal", with_sheen(metal(0.3f), white_sheen, r), true, false},
+      {"sheen_on_mirror", with_sheen(metal(0), white_sheen, r), true, false},
+      {"sheen_on_glass", with_sheen(glass(0, 1.5f), white_sheen, r), true, false},
+      {"sheen_on_rough_glass", with_sheen(glass(0.4f, 1.5f), white_sheen, r), true, false},
+      {"sheen_on_sheet", with_sheen(sheet(0.4f), white_sheen, r), true, false},
+      {"coat_and_sheen_on_plastic", coated(with_sheen(white(0.4f), white_sheen, r), 1, 0.3f), true, false},
+      {"smooth_coat_and_sheen_on_glass", coated(with_sheen(glass(0, 1.5f), Vec3(0.7f), r), 0.8f, 0), true, false},
+  };
+}
+
+std::vector<NamedMaterial> plain_materials(float r) {
   return {
       {"diffuse", with(white(r), [](Material& m) { m.specular = 0; }), true},
       {"plastic", white(r), true},
@@ -131,6 +184,14 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
   };
 }
 
+std::vector<NamedMaterial> materials_of_roughness(float r) {
+  std::vector<NamedMaterial> all = plain_materials(r);
+  const auto add = [&](const std::vector<NamedMaterial>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  add(coated_materials(r));
+  add(sheen_materials(r));
+  return all;
+}
+
 }  // namespace
 
 std::vector<NamedMaterial> rough_materials() {
@@ -140,6 +201,9 @@ std::vector<NamedMaterial> rough_materials() {
       m.name += "_" + std::to_string(static_cast<int>(roughness * 100));
       all.push_back(m);
     }
+  }
+  for (const NamedMaterial& m : coated_materials(0)) {
+    if (m.name != "coated_mirror" && m.name != "coated_glass" && m.name != "coated_sheet") all.push_back(m);
   }
   return all;
 }

@@ -11,10 +11,12 @@ namespace candil::test {
 struct NamedMaterial {
   std::string name;
   Material material;
-  bool is_lossless = false;  ///< Everything that comes in goes out again.
+  bool is_lossless = false;   ///< Everything that comes in goes out again.
+  bool is_reciprocal = true;  ///< The same with wo and wi exchanged.
 };
 
-/// One of every kind of closure, delta lobes left out: opaque, metallic, refracting, thin, and mixtures.
+/// One of every kind of closure: opaque, metallic, refracting, thin, mixtures, and layers on them. None has delta lobes
+/// alone.
 std::vector<NamedMaterial> rough_materials();
 /// The same kinds with perfectly smooth surfaces.
 std::vector<NamedMaterial> smooth_materials();

@@ -1,0 +1,42 @@
+/// A clear coat: one GGX lobe of index 1.5 on top of a closure (KHR_materials_clearcoat), with a normal of its own.
+///
+/// What lies below gets what the lobe leaves over of light towards wo (albedo scaling), so that white stays white in a
+/// furnace, whatever is below: mirrors and glass too. The price: light that bends on its way through is attenuated by
+/// the direction of wo alone, and coated closures are not reciprocal. What facets reflect onto other facets counts as
+/// let through, too: a second facet of this index would transmit 91 % of it on average.
+/// Directions are in world space.
+#pragma once
+
+#include <optional>
+
+#include "core/frame.h"
+#include "materials/bsdf_sample.h"
+#include "materials/ggx_albedo.h"
+
+namespace candil {
+
+struct ClearcoatParameters {
+  float weight = 0;      ///< In [0, 1], of the layer.
+  float roughness = 0;   ///< Perceptual.
+  Vec3 normal{0, 0, 1};  ///< Unit, wo above it.
+};
+
+class ClearcoatLobe {
+ public:
+  ClearcoatLobe(const ClearcoatParameters& parameters, const GgxAlbedo& table, Vec3 wo);
+
+  BsdfEval eval(Vec3 wo, Vec3 wi) const;
+  /// Of a smooth coat a mirror's sample, chosen for certain; else a direction with the density that eval() tells.
+  std::optional<BsdfSample> sample(Vec3 wo, Vec2 u) const;
+  bool is_delta() const { return is_delta_; }
+  /// Energy that it returns towards wo, in [0, 1].
+  float albedo() const { return albedo_; }
+
+ private:
+  Frame frame_;
+  float weight_, alpha_;
+  bool is_delta_;
+  float albedo_;
+};
+
+}  // namespace candil
