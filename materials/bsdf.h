@@ -61,6 +61,11 @@ class Bsdf {
   /// Calls `function` with the lobes that reflect; to be asked only if there are any.
   template <typename Function>
   auto with_reflecting(const Function& function) const;
+  /// The same with those that transmit.
+  template <typename Function>
+  auto with_transmitting(const Function& function) const {
+    return dielectric_ ? function(*dielectric_) : function(*extended_dielectric_);
+  }
 
   Frame frame_;           // z: shading normal, on the side of wo
   Vec3 normal_of_sides_;  // on the side of wo
@@ -70,6 +75,7 @@ class Bsdf {
     opaque,
     phong,
     conductor,
+    extended_opaque,
   };
   Kind kind_ = Kind::opaque;
   bool is_flat_;                 // the shading normal is the surface's own
@@ -80,6 +86,8 @@ class Bsdf {
   std::optional<PhongLobes> phong_;
   std::optional<ConductorLobes> conductor_;
   std::optional<DielectricLobes> dielectric_;
+  std::optional<ExtendedOpaqueLobes> extended_opaque_;
+  std::optional<ExtendedDielectricLobes> extended_dielectric_;
 };
 
 inline BsdfEval Bsdf::eval_lambertian(Vec3 wi) const {

@@ -2,6 +2,7 @@
 #include "core/emission.h"
 #include "core/texture.h"
 #include "materials/bsdf.h"
+#include "materials/extended_facets.h"
 #include "materials/fresnel.h"
 
 namespace candil {
@@ -52,6 +53,7 @@ bool has_specular(const Material& material) {
     case MaterialModel::metallic_roughness:
       break;
   }
+  if (material.extensions && material.extensions->iridescence > 0) return true;
   return material.specular > 0 || material.metallic > 0 || material.transmission > 0;
 }
 
@@ -159,6 +161,13 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
                             tables.ggx(), local_o);
     return bsdf;
   }
+  const Anisotropy anisotropy = anisotropy_at(scene, material, point);
+  const ThinFilm film = film_at(scene, tables, material, point);
+  const bool is_extended = anisotropy.strength > 0 || film;
+  if (anisotropy.strength > 0) bsdf.frame_ = Frame(normal, anisotropy.direction);
+  const auto facets = [&, roughness = roughness] {
+    return extended_facets(tables, point.material, roughness, anisotropy.strength, film);
+  };
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
   const Vec3 color = specular_color(scene, material, point);
   const auto [ior, reflecting_ior] = indices(material, is_front, wavelength);
@@ -174,7 +183,12 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     OpaqueParameters p{roughness, metal, base, f0, f90};
     if (material.transmits_diffusely()) add_diffuse_transmission(scene, *material.extensions, point, p);
     p.transmission_color *= wavelength.response;
-    bsdf.opaque_.emplace(p, tables.ggx(), local_o);
+    if (is_extended) {
+      bsdf.kind_ = Bsdf::Kind::extended_opaque;
+      bsdf.extended_opaque_.emplace(p, facets(), bsdf.frame_.to_local(wo));
+    } else {
+      bsdf.opaque_.emplace(p, tables.ggx(), local_o);
+    }
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;
@@ -187,7 +201,11 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     p.f0 = f0;
     p.f90 = f90;
     p.table = tables.dielectric(point.material);
-    bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
+    if (is_extended) {
+      bsdf.extended_dielectric_.emplace(p, facets(), bsdf.frame_.to_local(wo));
+    } else {
+      bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
+    }
   }
   return bsdf;
 }
