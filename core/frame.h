@@ -19,6 +19,15 @@ struct Frame {
     bitangent = {b, sign + n.y * n.y * a, -n.y};
   }
 
+  /// With local x along `direction`, as far as the normal lets it; any if it lets it not at all.
+  Frame(Vec3 n, Vec3 direction) : Frame(n) {
+    const Vec3 projected = direction - glm::dot(direction, n) * n;
+    const float squared = glm::dot(projected, projected);
+    if (!(squared > 1e-12f)) return;
+    tangent = projected / glm::sqrt(squared);
+    bitangent = glm::cross(n, tangent);
+  }
+
   Vec3 to_local(Vec3 v) const { return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)}; }
   Vec3 to_world(Vec3 v) const {
     return to_vec3(v.x * to_lanes(tangent) + v.y * to_lanes(bitangent) + v.z * to_lanes(normal));

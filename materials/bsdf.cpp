@@ -19,6 +19,8 @@ auto Bsdf::with_reflecting(const Function& function) const {
       return function(*phong_);
     case Kind::conductor:
       return function(*conductor_);
+    case Kind::extended_opaque:
+      return function(*extended_opaque_);
     default:
       return function(*opaque_);
   }
@@ -38,7 +40,8 @@ BsdfEval Bsdf::eval_base(Vec3 wo, Vec3 wi) const {
   if (!sides_agree(wi, local_i.z)) return {};
   const auto eval_reflecting = [&](const auto& lobes) { return lobes.eval(local_o, local_i, shadow_terminator()); };
   if (dielectric_weight_ == 0) return with_reflecting(eval_reflecting);
-  const BsdfEval transmitting = dielectric_->eval(local_o, local_i);
+  const auto eval_transmitting = [&](const auto& lobes) { return lobes.eval(local_o, local_i); };
+  const BsdfEval transmitting = with_transmitting(eval_transmitting);
   if (dielectric_weight_ == 1) return transmitting;
   const BsdfEval reflecting = with_reflecting(eval_reflecting);
   return {glm::mix(reflecting.f_cos, transmitting.f_cos, dielectric_weight_),
@@ -77,7 +80,7 @@ std::optional<BsdfSample> Bsdf::sample_base(Vec3 wo, float u_lobe, Vec2 u_direct
   const float u_rest = glm::min(u, one_minus_epsilon);
   std::optional<BsdfSample> sample;
   if (takes_dielectric) {
-    sample = dielectric_->sample(local_o, u_rest, u_direction);
+    sample = with_transmitting([&](const auto& lobes) { return lobes.sample(local_o, u_rest, u_direction); });
   } else {
     sample = with_reflecting(
         [&](const auto& lobes) { return lobes.sample(local_o, u_rest, u_direction, shadow_terminator()); });
@@ -94,7 +97,9 @@ std::optional<BsdfSample> Bsdf::sample_base(Vec3 wo, float u_lobe, Vec2 u_direct
       sample->pdf *= probability;  // the weight of the choice and of the lobe cancel
     } else {
       const BsdfEval other =
-          takes_dielectric ? opaque_->eval(local_o, local_i, shadow_terminator()) : dielectric_->eval(local_o, local_i);
+          takes_dielectric
+              ? with_reflecting([&](const auto& lobes) { return lobes.eval(local_o, local_i, shadow_terminator()); })
+              : with_transmitting([&](const auto& lobes) { return lobes.eval(local_o, local_i); });
       const float pdf = probability * sample->pdf + (1 - probability) * other.pdf;
       const Vec3 f_cos = probability * sample->pdf * sample->weight + (1 - probability) * other.f_cos;
       sample->weight = f_cos / pdf;
@@ -107,7 +112,8 @@ std::optional<BsdfSample> Bsdf::sample_base(Vec3 wo, float u_lobe, Vec2 u_direct
 bool Bsdf::has_only_delta_lobes() const {
   if (layers_ && !layers_->is_purely_delta()) return false;
   const auto is_delta = [](const auto& lobes) { return lobes.is_purely_delta(); };
-  return (dielectric_weight_ == 1 || with_reflecting(is_delta)) && (dielectric_weight_ == 0 || is_delta(*dielectric_));
+  return (dielectric_weight_ == 1 || with_reflecting(is_delta)) &&
+         (dielectric_weight_ == 0 || with_transmitting(is_delta));
 }
 
 Vec3 Bsdf::albedo() const {
@@ -117,9 +123,10 @@ Vec3 Bsdf::albedo() const {
 
 Vec3 Bsdf::base_albedo() const {
   if (kind_ == Kind::lambertian) return diffuse_;
-  if (dielectric_weight_ == 1) return dielectric_->albedo();
-  const Vec3 reflecting = with_reflecting([](const auto& lobes) { return lobes.albedo(); });
-  return dielectric_ ? glm::mix(reflecting, dielectric_->albedo(), dielectric_weight_) : reflecting;
+  const auto albedo_of = [](const auto& lobes) { return lobes.albedo(); };
+  if (dielectric_weight_ == 1) return with_transmitting(albedo_of);
+  const Vec3 reflecting = with_reflecting(albedo_of);
+  return dielectric_weight_ > 0 ? glm::mix(reflecting, with_transmitting(albedo_of), dielectric_weight_) : reflecting;
 }
 
 float Bsdf::survival_probability() const {

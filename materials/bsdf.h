@@ -68,6 +68,11 @@ class Bsdf {
   /// Calls `function` with the lobes that reflect; to be asked only if there are any.
   template <typename Function>
   auto with_reflecting(const Function& function) const;
+  /// The same with those that transmit.
+  template <typename Function>
+  auto with_transmitting(const Function& function) const {
+    return dielectric_ ? function(*dielectric_) : function(*extended_dielectric_);
+  }
 
   Frame frame_;           // z: shading normal, on the side of wo
   Vec3 normal_of_sides_;  // on the side of wo
@@ -77,6 +82,7 @@ class Bsdf {
     opaque,
     phong,
     conductor,
+    extended_opaque,
   };
   Kind kind_ = Kind::opaque;
   bool is_flat_;                 // the shading normal is the surface's own
@@ -88,6 +94,8 @@ class Bsdf {
   std::optional<ConductorLobes> conductor_;
   std::optional<DielectricLobes> dielectric_;
   std::optional<Layers> layers_;  // on all of them; never on a Lambertian kind
+  std::optional<ExtendedOpaqueLobes> extended_opaque_;
+  std::optional<ExtendedDielectricLobes> extended_dielectric_;
 };
 
 inline BsdfEval Bsdf::eval_lambertian(Vec3 wi) const {

@@ -7,11 +7,9 @@
 
 namespace candil {
 
-DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo& ggx, Vec3 wo)
-    : ggx_(&ggx),
-      table_(p.table),
-      roughness_(p.roughness),
-      alpha_(sqr(p.roughness)),
+template <typename Facets>
+BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p, const Facets& facets, Vec3 wo)
+    : facets_(facets),
       is_thin_(p.is_thin),
       from_inside_(p.from_inside),
       reflects_all_(p.ior == 0),
@@ -21,21 +19,22 @@ DielectricLobes::DielectricLobes(const DielectricParameters& p, const GgxAlbedo&
   eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
   reflecting_eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.reflecting_ior : p.reflecting_ior;
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.reflecting_ior));
-  is_delta_ = alpha_ < ggx_min_alpha || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
+  is_delta_ = facets_.is_smooth() || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
   if (is_delta_) return;
-  lost_ = lost_energy(wo.z, Side::here);
-  if (is_thin_ || reflects_all_ || !table_) {
-    mean_lost_here_ = mean_lost_beyond_ = glm::max(1e-6f, 1 - ggx.average(roughness_).total());
-    multiple_transmitted_ = reflects_all_ ? 0 : 1 - luminance(fresnel_schlick_average(f0_, f90_));
+  lost_ = lost_energy(wo, Side::here);
+  if (!refracts()) {
+    mean_lost_here_ = mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.average().total());
+    multiple_transmitted_ = reflects_all_ ? 0 : 1 - luminance(mean_reflectance());
   } else {
-    mean_lost_here_ = glm::max(1e-6f, 1 - table_->average(roughness_, from_inside_));
-    mean_lost_beyond_ = glm::max(1e-6f, 1 - table_->average(roughness_, !from_inside_));
+    mean_lost_here_ = glm::max(1e-6f, 1 - facets_.dielectric_average(from_inside_));
+    mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.dielectric_average(!from_inside_));
     const float beyond = mean_lost_beyond_ * sqr(eta_);
     multiple_transmitted_ = beyond / (beyond + mean_lost_here_);
   }
 }
 
-Vec3 DielectricLobes::reflectance(float cosine) const {
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::reflectance_without_film(float cosine) const {
   if (reflects_all_) return Vec3(1);
   const float exact = fresnel_dielectric(cosine, reflecting_eta_);
   if (has_exact_fresnel_ || exact >= 1) return Vec3(exact);
@@ -43,30 +42,68 @@ Vec3 DielectricLobes::reflectance(float cosine) const {
   return glm::clamp(f0_ + (f90_ - f0_) * ((exact - f0) / (1 - f0)), 0.0f, 1.0f);
 }
 
-float DielectricLobes::reflection_probability(Vec3 facet_reflectance) const {
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::reflectance(float cosine) const {
+  const Vec3 bare = reflectance_without_film(cosine);
+  if constexpr (Facets::is_extended) {
+    if (facets_.film && !reflects_all_) return glm::mix(bare, film_reflectance(cosine), facets_.film.share);
+  }
+  return bare;
+}
+
+/// A film looks the same from both of its sides, at angles that refraction makes correspond.
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::film_reflectance(float cosine) const {
+  if constexpr (Facets::is_extended) {
+    const float squared = from_inside_ ? 1 - (1 - sqr(cosine)) / sqr(eta_) : sqr(cosine);
+    if (!(squared > 0)) return Vec3(1);
+    const Vec3 base_ior =
+        has_exact_fresnel_ ? Vec3(from_inside_ ? 1 / reflecting_eta_ : reflecting_eta_) : ior_of_reflectance(f0_);
+    return film_reflectance_on_dielectric(facets_.film, base_ior, glm::sqrt(squared));
+  } else {
+    return Vec3(0);
+  }
+}
+
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::mean_reflectance() const {
+  if constexpr (Facets::is_extended) {
+    if (facets_.film) {
+      constexpr int count = 8;  // midpoints in the squared cosine
+      Vec3 sum(0);
+      for (int i = 0; i < count; ++i) sum += reflectance(glm::sqrt((static_cast<float>(i) + 0.5f) / count));
+      return sum / static_cast<float>(count);
+    }
+  }
+  return fresnel_schlick_average(f0_, f90_);
+}
+
+template <typename Facets>
+float BasicDielectricLobes<Facets>::reflection_probability(Vec3 facet_reflectance) const {
   const float reflected = luminance(facet_reflectance);
   const float transmitted = luminance((1.0f - facet_reflectance) * tint_);
   return transmitted > 0 ? reflected / (reflected + transmitted) : 1.0f;
 }
 
-float DielectricLobes::lost_energy(float cosine, Side side) const {
-  const float kept = is_thin_ || reflects_all_ || !table_
-                         ? ggx_->directional(roughness_, cosine).total()
-                         : table_->directional(roughness_, cosine, from_inside_ == (side == Side::here));
+template <typename Facets>
+float BasicDielectricLobes<Facets>::lost_energy(Vec3 w, Side side) const {
+  const float kept = refracts() ? facets_.dielectric_directional(w, from_inside_ == (side == Side::here))
+                                : facets_.directional(Vec3(w.x, w.y, std::abs(w.z))).total();
   return glm::max(0.0f, 1 - kept);
 }
 
-BsdfEval DielectricLobes::eval_facets(Vec3 wo, Vec3 wi) const {
+template <typename Facets>
+BsdfEval BasicDielectricLobes<Facets>::eval_facets(Vec3 wo, Vec3 wi) const {
   const bool is_reflection = wi.z > 0;
   if (is_reflection || is_thin_) {
     const Vec3 mirrored(wi.x, wi.y, std::abs(wi.z));
     const Vec3 h = glm::normalize(wo + mirrored);
-    const float density = ggx_distribution(h, alpha_) / (4 * wo.z);
+    const float density = ggx_distribution(h, facets_.alpha) / (4 * wo.z);
     const Vec3 fresnel = reflectance(glm::dot(wo, h));
     const float probability = reflection_probability(fresnel);
-    return {
-        (is_reflection ? fresnel : (1.0f - fresnel) * tint_) * (density * ggx_masking_shadowing(wo, mirrored, alpha_)),
-        (is_reflection ? probability : 1 - probability) * density * ggx_masking(wo, alpha_)};
+    return {(is_reflection ? fresnel : (1.0f - fresnel) * tint_) *
+                (density * ggx_masking_shadowing(wo, mirrored, facets_.alpha)),
+            (is_reflection ? probability : 1 - probability) * density * ggx_masking(wo, facets_.alpha)};
   }
   if (reflects_all_) return {};
   // The facet that refracts wo into wi (Walter et al. 2007, equation 16), turned to the outside.
@@ -75,33 +112,35 @@ BsdfEval DielectricLobes::eval_facets(Vec3 wo, Vec3 wi) const {
   const float cos_o = glm::dot(wo, h), cos_i = glm::dot(wi, h);
   if (cos_o <= 0 || cos_i >= 0) return {};
   const Vec3 fresnel = reflectance(cos_o);
-  const float distribution = ggx_distribution(h, alpha_);
+  const float distribution = ggx_distribution(h, facets_.alpha);
   const float jacobian = -cos_i / sqr(cos_i + cos_o / eta_);  // d(h) / d(wi)
   const float density = distribution * cos_o / wo.z * jacobian;
-  return {(1.0f - fresnel) * tint_ * (density * ggx_masking_shadowing(wo, wi, alpha_) / sqr(eta_)),
-          (1 - reflection_probability(fresnel)) * density * ggx_masking(wo, alpha_)};
+  return {(1.0f - fresnel) * tint_ * (density * ggx_masking_shadowing(wo, wi, facets_.alpha) / sqr(eta_)),
+          (1 - reflection_probability(fresnel)) * density * ggx_masking(wo, facets_.alpha)};
 }
 
-BsdfEval DielectricLobes::eval_multiple(Vec3 wi) const {
+template <typename Facets>
+BsdfEval BasicDielectricLobes<Facets>::eval_multiple(Vec3 wi) const {
   const float cosine = std::abs(wi.z), cosine_pdf = pdf_cosine_hemisphere(cosine);
   if (wi.z > 0) {
     const float share = 1 - multiple_transmitted_;
-    const float value = share * lost_ * lost_energy(cosine, Side::here) / mean_lost_here_ * cosine_pdf;
+    const float value = share * lost_ * lost_energy(wi, Side::here) / mean_lost_here_ * cosine_pdf;
     return {Vec3(value), lost_ * share * cosine_pdf};
   }
   const float radiance_scale = is_thin_ ? 1.0f : 1 / sqr(eta_);
-  const float value =
-      multiple_transmitted_ * lost_ * lost_energy(cosine, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
+  const float value = multiple_transmitted_ * lost_ * lost_energy(wi, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
   return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * cosine_pdf};
 }
 
-BsdfEval DielectricLobes::eval(Vec3 wo, Vec3 wi) const {
+template <typename Facets>
+BsdfEval BasicDielectricLobes<Facets>::eval(Vec3 wo, Vec3 wi) const {
   if (is_delta_ || wo.z <= 0 || wi.z == 0) return {};
   const BsdfEval facets = eval_facets(wo, wi), multiple = eval_multiple(wi);
   return {facets.f_cos + multiple.f_cos, (1 - lost_) * facets.pdf + multiple.pdf};
 }
 
-std::optional<BsdfSample> DielectricLobes::sample_delta(Vec3 wo, float u_lobe) const {
+template <typename Facets>
+std::optional<BsdfSample> BasicDielectricLobes<Facets>::sample_delta(Vec3 wo, float u_lobe) const {
   const Vec3 fresnel = reflectance(wo.z);
   const float probability = reflection_probability(fresnel);
   BsdfSample result;
@@ -120,7 +159,8 @@ std::optional<BsdfSample> DielectricLobes::sample_delta(Vec3 wo, float u_lobe) c
   return result;
 }
 
-std::optional<BsdfSample> DielectricLobes::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
+template <typename Facets>
+std::optional<BsdfSample> BasicDielectricLobes<Facets>::sample(Vec3 wo, float u_lobe, Vec2 u_direction) const {
   if (wo.z <= 0) return std::nullopt;
   if (is_delta_) return sample_delta(wo, u_lobe);
   BsdfSample result;
@@ -129,7 +169,7 @@ std::optional<BsdfSample> DielectricLobes::sample(Vec3 wo, float u_lobe, Vec2 u_
     if (u_lobe < lost_ * multiple_transmitted_) result.wi.z = -result.wi.z;
   } else {
     const float u = glm::min((u_lobe - lost_) / (1 - lost_), one_minus_epsilon);
-    const Vec3 h = sample_ggx_visible(wo, alpha_, u_direction);
+    const Vec3 h = sample_ggx_visible(wo, facets_.alpha, u_direction);
     const float cosine = glm::dot(wo, h);
     if (cosine <= 0) return std::nullopt;
     const Vec3 fresnel = reflectance(cosine);
@@ -151,5 +191,8 @@ std::optional<BsdfSample> DielectricLobes::sample(Vec3 wo, float u_lobe, Vec2 u_
   result.eta = result.is_transmission && !is_thin_ ? eta_ : 1.0f;
   return result;
 }
+
+template class BasicDielectricLobes<PlainFacets>;
+template class BasicDielectricLobes<ExtendedFacets>;
 
 }  // namespace candil

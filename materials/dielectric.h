@@ -13,25 +13,30 @@
 #include <optional>
 
 #include "materials/bsdf_sample.h"
-#include "materials/ggx_albedo.h"
+#include "materials/facets.h"
 
 namespace candil {
 
 struct DielectricParameters {
-  float roughness = 0;          ///< Perceptual.
+  float roughness = 0;          ///< Perceptual; extended facets bring theirs.
   float ior = 1.5f;             ///< Of the medium behind the front side; 0: infinite.
   float reflecting_ior = 1.5f;  ///< The same, of which reflectance follows; another one only where light is dispersed.
   bool is_thin = false;
   bool from_inside = false;   ///< wo is inside of the medium; false for thin walls.
   Vec3 tint{1.0f};            ///< Colour of what is transmitted at this interface.
   Vec3 f0{0.04f}, f90{1.0f};  ///< Reflectance at normal and grazing incidence.
-  const DielectricAlbedo* table =
-      nullptr;  ///< Of this index; may be null when the surface is smooth or does not refract.
+  /// Of this index; may be null when the surface is smooth or does not refract. Extended facets bring theirs.
+  const DielectricAlbedo* table = nullptr;
 };
 
-class DielectricLobes {
+template <typename Facets>
+class BasicDielectricLobes {
  public:
-  DielectricLobes(const DielectricParameters& parameters, const GgxAlbedo& ggx, Vec3 wo);
+  /// `facets` have the table of this index, unless they are smooth or nothing is refracted.
+  BasicDielectricLobes(const DielectricParameters& parameters, const Facets& facets, Vec3 wo);
+  BasicDielectricLobes(const DielectricParameters& parameters, const GgxAlbedo& ggx,
+                       Vec3 wo) requires(!Facets::is_extended)
+      : BasicDielectricLobes(parameters, Facets(parameters.roughness, ggx, parameters.table), wo) {}
 
   BsdfEval eval(Vec3 wo, Vec3 wi) const;
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction) const;
@@ -42,16 +47,19 @@ class DielectricLobes {
   enum class Side { here, beyond };
 
   Vec3 reflectance(float cosine) const;
+  Vec3 reflectance_without_film(float cosine) const;
+  Vec3 film_reflectance(float cosine) const;
+  bool refracts() const { return !is_thin_ && !reflects_all_ && facets_.has_dielectric_table(); }
+  /// Over the cosine-weighted hemisphere; of a thin wall.
+  Vec3 mean_reflectance() const;
   /// Probability of following the reflected ray at a facet, given its reflectance.
   float reflection_probability(Vec3 facet_reflectance) const;
-  float lost_energy(float cosine, Side side) const;
+  float lost_energy(Vec3 w, Side side) const;
   BsdfEval eval_facets(Vec3 wo, Vec3 wi) const;
   BsdfEval eval_multiple(Vec3 wi) const;
   std::optional<BsdfSample> sample_delta(Vec3 wo, float u_lobe) const;
 
-  const GgxAlbedo* ggx_ = nullptr;
-  const DielectricAlbedo* table_ = nullptr;
-  float roughness_ = 0, alpha_ = 0;
+  Facets facets_;
   float eta_ = 1;             // index beyond the interface over the index on wo's side
   float reflecting_eta_ = 1;  // the same, of which reflectance follows
   bool is_thin_ = false, from_inside_ = false, is_delta_ = true;
@@ -61,5 +69,8 @@ class DielectricLobes {
   float mean_lost_here_ = 1, mean_lost_beyond_ = 1;
   float multiple_transmitted_ = 0;  // share of the lost energy that goes beyond
 };
+
+using DielectricLobes = BasicDielectricLobes<PlainFacets>;
+using ExtendedDielectricLobes = BasicDielectricLobes<ExtendedFacets>;
 
 }  // namespace candil

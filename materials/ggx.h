@@ -1,5 +1,6 @@
-/// The isotropic GGX microfacet distribution with Smith's height-correlated masking and shadowing (Walter et al. 2007,
-/// Heitz 2014). Local frame: z is the surface normal. `alpha` is the square of the perceptual roughness.
+/// The GGX microfacet distribution with Smith's height-correlated masking and shadowing (Walter et al. 2007, Heitz
+/// 2014), isotropic or anisotropic. Local frame: z is the surface normal. `alpha` is the square of the perceptual
+/// roughness; of an anisotropic surface those along x and y.
 #pragma once
 
 #include <cmath>
@@ -19,6 +20,13 @@ inline float ggx_distribution(Vec3 h, float alpha) {
   return a2 / (pi * sqr(t));
 }
 
+inline float ggx_distribution(Vec3 h, Vec2 alpha) {
+  const float product = alpha.x * alpha.y;
+  // The facet in the space where the surface has the roughness 1, times that product.
+  const float t = sqr(alpha.y * h.x) + sqr(alpha.x * h.y) + sqr(product * h.z);
+  return product * sqr(product) / (pi * sqr(t));
+}
+
 /// Smith's lambda: masked area per visible area.
 inline float ggx_lambda(Vec3 w, float alpha) {
   const float cos2 = sqr(w.z);
@@ -26,11 +34,23 @@ inline float ggx_lambda(Vec3 w, float alpha) {
   return 0.5f * (glm::sqrt(1 + sqr(alpha) * (sqr(w.x) + sqr(w.y)) / cos2) - 1);
 }
 
+inline float ggx_lambda(Vec3 w, Vec2 alpha) {
+  const float cos2 = sqr(w.z);
+  if (cos2 == 0) return infinity;
+  return 0.5f * (glm::sqrt(1 + (sqr(alpha.x * w.x) + sqr(alpha.y * w.y)) / cos2) - 1);
+}
+
+// What follows is the same for an isotropic `alpha`, a float, and an anisotropic one, a Vec2.
+
 /// Fraction of facets visible from w.
-inline float ggx_masking(Vec3 w, float alpha) { return 1 / (1 + ggx_lambda(w, alpha)); }
+template <typename Alpha>
+inline float ggx_masking(Vec3 w, Alpha alpha) {
+  return 1 / (1 + ggx_lambda(w, alpha));
+}
 
 /// Visible from both; for directions on opposite sides too.
-inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, float alpha) {
+template <typename Alpha>
+inline float ggx_masking_shadowing(Vec3 wo, Vec3 wi, Alpha alpha) {
   return 1 / (1 + ggx_lambda(wo, alpha) + ggx_lambda(wi, alpha));
 }
 
@@ -40,7 +60,8 @@ struct GgxReflection {
   float value;   ///< f |cos|.
   float pdf;     ///< 1/sr, of sample_ggx_reflection().
 };
-inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, float alpha) {
+template <typename Alpha>
+inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, Alpha alpha) {
   const Vec3 h = glm::normalize(wo + wi);
   const float density = ggx_distribution(h, alpha) / (4 * wo.z);  // d(h) / d(wi) = 1 / (4 wo.h)
   return {glm::dot(wo, h), density * ggx_masking_shadowing(wo, wi, alpha), density * ggx_masking(wo, alpha)};
@@ -48,16 +69,19 @@ inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, float alpha) {
 
 /// A facet normal as seen from wo (wo.z > 0), with density G1(wo) D(h) max(0, wo.h) / wo.z per steradian (Dupuy and
 /// Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps").
-inline Vec3 sample_ggx_visible(Vec3 wo, float alpha, Vec2 u) {
-  const Vec3 stretched = glm::normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
+template <typename Alpha>
+inline Vec3 sample_ggx_visible(Vec3 wo, Alpha alpha, Vec2 u) {
+  const Vec2 stretch(alpha);
+  const Vec3 stretched = glm::normalize(Vec3(stretch.x * wo.x, stretch.y * wo.y, wo.z));
   const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
   const float radius = safe_sqrt(1 - sqr(z)), phi = 2 * pi * u.x;
   const Vec3 h = Vec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
-  return glm::normalize(Vec3(alpha * h.x, alpha * h.y, glm::max(1e-9f, h.z)));
+  return glm::normalize(Vec3(stretch.x * h.x, stretch.y * h.y, glm::max(1e-9f, h.z)));
 }
 
 /// wo mirrored at such a facet; may point below the surface. Its density is GgxReflection::pdf.
-inline Vec3 sample_ggx_reflection(Vec3 wo, float alpha, Vec2 u) {
+template <typename Alpha>
+inline Vec3 sample_ggx_reflection(Vec3 wo, Alpha alpha, Vec2 u) {
   const Vec3 h = sample_ggx_visible(wo, alpha, u);
   return 2 * glm::dot(wo, h) * h - wo;
 }

@@ -3,8 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/sampler.h"
-#include "materials/fresnel.h"
-#include "materials/ggx.h"
+#include "materials/facet_energy.h"
 
 namespace candil {
 namespace {
@@ -63,22 +62,6 @@ void for_each_cell(const Function& function) {
   });
 }
 
-/// Energy that one facet sends on towards directions that are not shadowed.
-float dielectric_energy(Vec3 wo, Vec3 h, float alpha, float eta) {
-  const float cosine = glm::dot(wo, h);
-  if (cosine <= 0) return 0;
-  const float reflectance = fresnel_dielectric(cosine, eta);
-  const float masking = ggx_masking(wo, alpha);
-  float energy = 0;
-  const Vec3 reflected = 2 * cosine * h - wo;
-  if (reflected.z > 0) energy += reflectance * ggx_masking_shadowing(wo, reflected, alpha) / masking;
-  if (reflectance < 1) {
-    const Vec3 refracted = refract(wo, h, eta);
-    if (refracted.z < 0) energy += (1 - reflectance) * ggx_masking_shadowing(wo, refracted, alpha) / masking;
-  }
-  return energy;
-}
-
 }  // namespace
 
 float AlbedoGrid::lookup(float roughness, float cosine) const {
@@ -90,10 +73,8 @@ float AlbedoGrid::lookup(float roughness, float cosine) const {
 GgxAlbedo::GgxAlbedo() {
   for_each_cell([&](int r, int c, float roughness, float cosine) {
     const Vec2 split = integrate(roughness, cosine, [](Vec3 wo, Vec3 h, float alpha) {
-      const Vec3 wi = 2 * glm::dot(wo, h) * h - wo;
-      if (wi.z <= 0) return Vec2(0);
       const float schlick = fresnel_schlick(Vec3(0), Vec3(1), glm::dot(wo, h)).x;
-      return Vec2(1 - schlick, schlick) * (ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha));
+      return Vec2(1 - schlick, schlick) * reflected_share(wo, h, alpha);
     });
     scale_.values[r][c] = split.x;
     bias_.values[r][c] = split.y;
@@ -107,6 +88,40 @@ GgxAlbedo::Split GgxAlbedo::average(float roughness) const {
   const GridPosition r(roughness, roughness_count);
   const Split &low = average_[r.index], &high = average_[r.index + 1];
   return {glm::mix(low.scale, high.scale, r.fraction), glm::mix(low.bias, high.bias, r.fraction)};
+}
+
+FacetAngles::FacetAngles() {
+  using Sums = glm::mat2x4;  // eight numbers that can be added up
+  static_assert(node_count == 8);
+  for_each_cell([&](int r, int c, float roughness, float cosine) {
+    const Sums sums = integrate(roughness, cosine, [](Vec3 wo, Vec3 h, float alpha) {
+      Sums shares(0);
+      const float share = reflected_share(wo, h, alpha), position = glm::dot(wo, h) * (node_count + 1) - 1;
+      for (int node = 0; node < node_count; ++node) {
+        shares[node / 4][node % 4] = share * glm::max(0.0f, 1 - glm::abs(position - static_cast<float>(node)));
+      }
+      return shares;
+    });
+    for (int node = 0; node < node_count; ++node) grids_[node].values[r][c] = sums[node / 4][node % 4];
+  });
+  for (int node = 0; node < node_count; ++node) {
+    for (int r = 0; r < roughness_count; ++r) averages_[node][r] = cosine_weighted_mean(grids_[node].values[r]);
+  }
+}
+
+FacetAngles::Nodes FacetAngles::directional(float roughness, float cosine) const {
+  Nodes nodes;
+  for (int node = 0; node < node_count; ++node) nodes[node] = grids_[node].lookup(roughness, cosine);
+  return nodes;
+}
+
+FacetAngles::Nodes FacetAngles::average(float roughness) const {
+  const GridPosition r(roughness, roughness_count);
+  Nodes nodes;
+  for (int node = 0; node < node_count; ++node) {
+    nodes[node] = glm::mix(averages_[node][r.index], averages_[node][r.index + 1], r.fraction);
+  }
+  return nodes;
 }
 
 DielectricAlbedo::DielectricAlbedo(float ior) : ior_(ior) {

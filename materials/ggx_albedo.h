@@ -45,6 +45,28 @@ inline Vec3 multiple_scattering_color(Vec3 mean_fresnel, float mean_albedo) {
   return mean_fresnel * mean_fresnel * mean_albedo / (1.0f - mean_fresnel * (1 - mean_albedo));
 }
 
+/// Albedo under a Fresnel term that is not Schlick's: what it deviates from his curve is interpolated linearly between
+/// nodes, cosines at facets from 0 to 1, at both ends of which it is 0. This tells how much light is reflected by
+/// facets near each of the other nodes.
+class FacetAngles {
+ public:
+  static constexpr int node_count = 8;
+  using Nodes = std::array<float, node_count>;
+  static float cosine(int node) { return static_cast<float>(node + 1) / (node_count + 1); }
+
+  FacetAngles();
+  Nodes directional(float roughness, float cosine) const;
+  /// Its mean over the cosine-weighted hemisphere.
+  Nodes average(float roughness) const;
+  /// For a smooth interface: the cosine-weighted mean over the hemisphere of what is linear between the nodes is the
+  /// sum of these times its values there: 2 * integral of mu times the hat function of the node.
+  static float mean_weight(int node) { return 2 * cosine(node) / (node_count + 1); }
+
+ private:
+  std::array<AlbedoGrid, node_count> grids_;
+  std::array<std::array<float, AlbedoGrid::roughness_count>, node_count> averages_{};
+};
+
 /// A rough dielectric that reflects and refracts, seen from either side: reflected plus transmitted energy.
 class DielectricAlbedo {
  public:

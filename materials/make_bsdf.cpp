@@ -1,6 +1,7 @@
 // Where a material's parameters and textures become a closure.
 #include "core/emission.h"
 #include "materials/bsdf.h"
+#include "materials/extended_facets.h"
 #include "materials/fresnel.h"
 #include "materials/read_layers.h"
 #include "materials/shading_normal.h"
@@ -19,6 +20,7 @@ bool has_specular(const Material& material) {
     case MaterialModel::metallic_roughness:
       break;
   }
+  if (material.extensions && material.extensions->iridescence > 0) return true;
   return material.specular > 0 || material.metallic > 0 || material.transmission > 0;
 }
 
@@ -128,6 +130,13 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
                             tables.ggx(), local_o);
     return bsdf;
   }
+  const Anisotropy anisotropy = anisotropy_at(scene, material, point);
+  const ThinFilm film = film_at(scene, tables, material, point);
+  const bool is_extended = anisotropy.strength > 0 || film;
+  if (anisotropy.strength > 0) bsdf.frame_ = Frame(normal, anisotropy.direction);
+  const auto facets = [&, roughness = roughness] {
+    return extended_facets(tables, point.material, roughness, anisotropy.strength, film);
+  };
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
   const Vec3 color = textured_color(scene, material.specular_color, material.specular_color_texture, point);
   const auto [ior, reflecting_ior] = indices(material, is_front, wavelength);
@@ -143,7 +152,12 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     OpaqueParameters p{roughness, metal, base, f0, f90};
     if (material.transmits_diffusely()) add_diffuse_transmission(scene, *material.extensions, point, p);
     p.transmission_color *= wavelength.response;
-    bsdf.opaque_.emplace(p, tables.ggx(), local_o);
+    if (is_extended) {
+      bsdf.kind_ = Bsdf::Kind::extended_opaque;
+      bsdf.extended_opaque_.emplace(p, facets(), bsdf.frame_.to_local(wo));
+    } else {
+      bsdf.opaque_.emplace(p, tables.ggx(), local_o);
+    }
   }
   if (bsdf.dielectric_weight_ > 0) {
     DielectricParameters p;
@@ -156,7 +170,11 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     p.f0 = f0;
     p.f90 = f90;
     p.table = tables.dielectric(point.material);
-    bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
+    if (is_extended) {
+      bsdf.extended_dielectric_.emplace(p, facets(), bsdf.frame_.to_local(wo));
+    } else {
+      bsdf.dielectric_.emplace(p, tables.ggx(), local_o);
+    }
   }
   if (!layers.is_empty()) bsdf.layers_.emplace(make_layers(layers, tables, normal, wo, bsdf.base_albedo()));
   return bsdf;

@@ -13,15 +13,17 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "materials/bsdf_sample.h"
-#include "materials/ggx_albedo.h"
+#include "materials/facets.h"
+#include "materials/opaque_film.h"
 #include "materials/shadow_terminator.h"
 
 namespace candil {
 
 struct OpaqueParameters {
-  float roughness = 1;                 ///< Perceptual.
+  float roughness = 1;                 ///< Perceptual; extended facets bring theirs.
   float metallic = 0;                  ///< Share of the metal.
   Vec3 base{0.0f};                     ///< Albedo of the diffuse base, f0 of the metal.
   Vec3 coat_f0{0.0f}, coat_f90{0.0f};  ///< Reflectance of the dielectric coat at normal and grazing incidence.
@@ -29,9 +31,12 @@ struct OpaqueParameters {
   Vec3 transmission_color{1.0f};       ///< Of that share, in place of `base`.
 };
 
-class OpaqueLobes {
+template <typename Facets>
+class BasicOpaqueLobes {
  public:
-  OpaqueLobes(const OpaqueParameters& parameters, const GgxAlbedo& table, Vec3 wo);
+  BasicOpaqueLobes(const OpaqueParameters& parameters, const Facets& facets, Vec3 wo);
+  BasicOpaqueLobes(const OpaqueParameters& parameters, const GgxAlbedo& table, Vec3 wo) requires(!Facets::is_extended)
+      : BasicOpaqueLobes(parameters, Facets(parameters.roughness, table), wo) {}
 
   BsdfEval eval(Vec3 wo, Vec3 wi, const ShadowTerminator& terminator) const;
   std::optional<BsdfSample> sample(Vec3 wo, float u_lobe, Vec2 u_direction, const ShadowTerminator& terminator) const;
@@ -40,14 +45,19 @@ class OpaqueLobes {
   float survival_probability() const { return max_component(albedo_); }
 
  private:
-  GgxAlbedo::Split single_scattering(float cosine) const;
+  struct NoFilm {};
+
+  GgxAlbedo::Split single_scattering(Vec3 w) const;
+  /// Of the specular interface at a facet.
+  Vec3 reflectance(float cosine) const;
+  /// Albedo of the coat's first scattering, in its greatest channel.
+  float coat_albedo(Vec3 w, const GgxAlbedo::Split& single) const;
   /// What the coat leaves over for the base, given its single scattering.
-  float left_by_coat(const GgxAlbedo::Split& single) const;
-  Vec3 diffuse_like(float cosine_i) const;
+  float left_by_coat(Vec3 w, const GgxAlbedo::Split& single) const;
+  Vec3 diffuse_like(Vec3 wi) const;
   BsdfEval eval_transmission(Vec3 wi, const ShadowTerminator& terminator) const;
 
-  const GgxAlbedo* table_ = nullptr;
-  float roughness_ = 1, alpha_ = 1;
+  Facets facets_;
   bool has_specular_ = false, is_delta_ = false;
   float specular_probability_ = 0, transmission_probability_ = 0;
   Vec3 f0_{0.0f}, f90_{0.0f};
@@ -56,6 +66,14 @@ class OpaqueLobes {
   Vec3 multiple_{0.0f};     // colour x (1 - E(wo)) / (1 - mean E)
   float coat_f0_ = 0, coat_f90_ = 0, coat_multiple_ = 0;
   Vec3 albedo_{0.0f};
+  // What the film adds to the curves from f0 to f90.
+  using Film = std::conditional_t<Facets::is_extended, std::optional<OpaqueFilm>, NoFilm>;
+  using CoatCurve = std::conditional_t<Facets::is_extended, FilmCurve<float>, NoFilm>;
+  [[no_unique_address]] Film film_;
+  [[no_unique_address]] CoatCurve film_coat_;
 };
+
+using OpaqueLobes = BasicOpaqueLobes<PlainFacets>;
+using ExtendedOpaqueLobes = BasicOpaqueLobes<ExtendedFacets>;
 
 }  // namespace candil

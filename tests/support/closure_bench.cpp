@@ -137,6 +137,21 @@ std::vector<NamedMaterial> sheen_materials(float r) {
   };
 }
 
+Material brushed(Material m) {
+  if (!m.extensions) m.extensions.emplace();
+  m.extensions->anisotropy = 0.7f;
+  m.extensions->anisotropy_rotation = 0.4f;
+  return m;
+}
+
+Material filmed(Material m, float ior, float thickness) {
+  if (!m.extensions) m.extensions.emplace();
+  m.extensions->iridescence = 1;
+  m.extensions->iridescence_ior = ior;
+  m.extensions->iridescence_thickness = thickness;
+  return m;
+}
+
 std::vector<NamedMaterial> plain_materials(float r) {
   return {
       {"diffuse", with(white(r), [](Material& m) { m.specular = 0; }), true},
@@ -181,6 +196,17 @@ std::vector<NamedMaterial> plain_materials(float r) {
       {"specular_glossiness_diffuse", specular_glossiness(r, Vec3(1), Vec3(0)), true},
       {"specular_glossiness_metal", specular_glossiness(r, Vec3(1), Vec3(1)), true},
       {"conductor_without_loss", conductor(r, Vec3(1e-3f), Vec3(30)), true},
+      {"brushed_metal", brushed(metal(r)), true},
+      {"brushed_half_metal", brushed(with(white(r), [](Material& m) { m.metallic = 0.5f; })), true},
+      {"brushed_glass", brushed(glass(r, 1.5f)), true},
+      {"brushed_half_transmissive_sheet", brushed(with(sheet(r), [](Material& m) { m.transmission = 0.5f; })), true},
+      {"filmed_plastic", filmed(white(r), 1.8f, 350)},
+      {"filmed_gold",
+       filmed(with(metal(r), [](Material& m) { m.base_color = Vec4(1.0f, 0.77f, 0.34f, 1); }), 1.3f, 400)},
+      {"filmed_half_metal", filmed(with(white(r), [](Material& m) { m.metallic = 0.5f; }), 2.2f, 200)},
+      {"filmed_glass", filmed(glass(r, 1.5f), 1.3f, 500)},
+      {"soap_sheet", filmed(with(sheet(r), [](Material& m) { m.ior = 1; }), 1.33f, 300), true},
+      {"brushed_filmed_plastic", brushed(filmed(white(r), 1.33f, 600))},
   };
 }
 

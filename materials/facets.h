@@ -1,0 +1,70 @@
+/// The facets of a rough interface: their distribution and how much light they return. The lobes are written once for
+/// both kinds; nothing of the second kind is paid for by materials without these extensions.
+#pragma once
+
+#include "materials/anisotropy.h"
+#include "materials/ggx.h"
+#include "materials/ggx_albedo.h"
+#include "materials/thin_film.h"
+
+namespace candil {
+
+/// Isotropic, without a film.
+struct PlainFacets {
+  static constexpr bool is_extended = false;
+  const GgxAlbedo* ggx = nullptr;
+  const DielectricAlbedo* dielectric = nullptr;  ///< May be null where nothing is refracted by rough facets.
+  float roughness = 1;                           ///< Perceptual.
+  float alpha = 1;                               ///< For the functions of ggx.h.
+
+  PlainFacets(float perceptual_roughness, const GgxAlbedo& table, const DielectricAlbedo* dielectric_table = nullptr)
+      : ggx(&table), dielectric(dielectric_table), roughness(perceptual_roughness), alpha(sqr(perceptual_roughness)) {}
+
+  /// So smooth that it is a mirror.
+  bool is_smooth() const { return alpha < ggx_min_alpha; }
+  void make_smooth() { roughness = 0; }
+  GgxAlbedo::Split directional(Vec3 w) const { return ggx->directional(roughness, w.z); }
+  GgxAlbedo::Split average() const { return ggx->average(roughness); }
+  float dielectric_directional(Vec3 w, bool from_inside) const {
+    return dielectric->directional(roughness, glm::abs(w.z), from_inside);
+  }
+  float dielectric_average(bool from_inside) const { return dielectric->average(roughness, from_inside); }
+  bool has_dielectric_table() const { return dielectric != nullptr; }
+};
+
+/// Anisotropic (KHR_materials_anisotropy) or under a thin film (KHR_materials_iridescence), or both. x is the direction
+/// of greater roughness.
+struct ExtendedFacets {
+  static constexpr bool is_extended = true;
+  const GgxAlbedo* ggx = nullptr;
+  const DielectricAlbedo* dielectric = nullptr;
+  const AnisotropicAlbedo* anisotropic_ggx = nullptr;  ///< Null: isotropic.
+  const AnisotropicDielectricAlbedo* anisotropic_dielectric = nullptr;
+  const FacetAngles* angles = nullptr;  ///< Not null if there is a film.
+  float roughness = 1;                  ///< Perceptual; of an anisotropic interface its geometric mean.
+  Vec2 alpha{1.0f};
+  ThinFilm film;
+
+  bool is_smooth() const { return alpha.x < ggx_min_alpha; }
+  void make_smooth() { roughness = 0, anisotropic_ggx = nullptr; }
+  GgxAlbedo::Split directional(Vec3 w) const {
+    return anisotropic_ggx ? anisotropic_ggx->directional(alpha, w) : ggx->directional(roughness, glm::abs(w.z));
+  }
+  GgxAlbedo::Split average() const {
+    return anisotropic_ggx ? anisotropic_ggx->average(alpha) : ggx->average(roughness);
+  }
+  float dielectric_directional(Vec3 w, bool from_inside) const {
+    return anisotropic_dielectric ? anisotropic_dielectric->directional(alpha, w, from_inside)
+                                  : dielectric->directional(roughness, glm::abs(w.z), from_inside);
+  }
+  float dielectric_average(bool from_inside) const {
+    return anisotropic_dielectric ? anisotropic_dielectric->average(alpha, from_inside)
+                                  : dielectric->average(roughness, from_inside);
+  }
+  bool has_dielectric_table() const { return dielectric || anisotropic_dielectric; }
+  /// Shares of light that is reflected near the nodes of FacetAngles; `single` is directional(), `mean` average().
+  FacetAngles::Nodes directional_nodes(Vec3 w, GgxAlbedo::Split single) const;
+  FacetAngles::Nodes average_nodes(GgxAlbedo::Split mean) const;
+};
+
+}  // namespace candil

@@ -1,0 +1,174 @@
+// What anisotropy adds to what holds for every closure (bsdf_test.cpp): its directions, and that energy is kept at all
+// of its strengths and azimuths.
+#include "materials/anisotropy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/sampler.h"
+#include "materials/ggx.h"
+#include "tests/support/closure_bench.h"
+
+namespace candil::test {
+namespace {
+
+Material brushed(float roughness, float strength, float rotation = 0) {
+  Material m;
+  m.roughness = roughness;
+  m.extensions.emplace();
+  m.extensions->anisotropy = strength;
+  m.extensions->anisotropy_rotation = rotation;
+  return m;
+}
+
+Vec3 direction(float degrees, float azimuth) {
+  const float theta = glm::radians(degrees), phi = glm::radians(azimuth);
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+/// Energy that leaves for radiance 1 from everywhere.
+float furnace(const ClosureBench& bench, Vec3 wo, std::uint32_t samples) {
+  const Bsdf bsdf = bench.bsdf(wo);
+  double sum = 0;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const Sampler s({3, 5}, i, 11);
+    const auto sample = bsdf.sample(wo, s.sample_2d(0).x, s.sample_2d(1));
+    if (sample) sum += sample->weight.x * sqr(sample->eta);
+  }
+  return static_cast<float>(sum / samples);
+}
+
+void expect_furnace(Material material, float most_degrees) {
+  for (const float roughness : {0.0f, 0.15f, 0.4f, 0.7f, 0.95f}) {
+    for (const float strength : {0.2f, 0.5f, 0.8f, 1.0f}) {
+      material.roughness = roughness;
+      material.extensions = brushed(roughness, strength).extensions;
+      const ClosureBench bench(material);
+      for (const float azimuth : {0.0f, 40.0f, 75.0f, 90.0f}) {
+        for (const float degrees : {0.0f, 45.0f, 70.0f, 85.0f, 89.0f, 150.0f}) {
+          if (degrees > most_degrees) continue;
+          const float energy = furnace(bench, direction(degrees, azimuth), 4096);
+          const auto place = [&] {
+            return testing::Message() << "roughness " << roughness << " strength " << strength << " azimuth " << azimuth
+                                      << " at " << degrees << " degrees";
+          };
+          EXPECT_GT(energy, 0.99f) << place();
+          EXPECT_LT(energy, 1.005f) << place();
+        }
+      }
+    }
+  }
+}
+
+TEST(Anisotropy, WhiteMetalKeepsAllEnergy) { expect_furnace(Material{}, 90); }
+
+TEST(Anisotropy, WhitePlasticKeepsAllEnergy) {
+  Material plastic;
+  plastic.metallic = 0;
+  expect_furnace(plastic, 90);
+}
+
+TEST(Anisotropy, ThinSheetKeepsAllEnergy) {
+  Material sheet;
+  sheet.metallic = 0, sheet.transmission = 1;
+  expect_furnace(sheet, 180);
+}
+
+TEST(Anisotropy, GlassKeepsAllEnergy) {
+  Material glass;
+  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1;
+  expect_furnace(glass, 180);
+}
+
+// The extension's formula, by hand: along the tangent 0.3^2 grows by 0.6^2 of what is missing to 1, 0.09 + 0.36 x 0.91.
+TEST(Anisotropy, RoughnessGrowsAlongTheTangent) {
+  const Vec2 alpha = anisotropic_alpha(0.3f, 0.6f);
+  EXPECT_NEAR(alpha.x, 0.4176f, 1e-6f);
+  EXPECT_NEAR(alpha.y, 0.09f, 1e-6f);
+  // Burley's distribution at two facets as far from the normal: wider along x.
+  const Vec3 along(0.6f, 0, 0.8f), across(0, 0.6f, 0.8f);
+  const auto burley = [&](Vec3 h) {
+    return 1 / (pi * alpha.x * alpha.y * sqr(sqr(h.x / alpha.x) + sqr(h.y / alpha.y) + sqr(h.z)));
+  };
+  EXPECT_NEAR(ggx_distribution(along, alpha) / burley(along), 1, 1e-5f);
+  EXPECT_NEAR(ggx_distribution(across, alpha) / burley(across), 1, 1e-5f);
+  EXPECT_GT(ggx_distribution(along, alpha), 5 * ggx_distribution(across, alpha));
+}
+
+// Smith's condition: the facets that are visible from a direction, seen from there, have its own projected area.
+TEST(Anisotropy, VisibleFacetsCoverTheSurface) {
+  const Vec2 alpha = anisotropic_alpha(0.5f, 0.7f);
+  for (const float azimuth : {0.0f, 30.0f, 90.0f}) {
+    const Vec3 wo = direction(65, azimuth);
+    constexpr int rows = 512, columns = 1024;
+    double sum = 0;
+    for (int r = 0; r < rows; ++r) {
+      const double z = (r + 0.5) / rows, radius = std::sqrt(1 - z * z);
+      for (int c = 0; c < columns; ++c) {
+        const double phi = 2 * pi * (c + 0.5) / columns;
+        const Vec3 h(radius * std::cos(phi), radius * std::sin(phi), z);
+        sum += ggx_distribution(h, alpha) * glm::max(0.0f, glm::dot(wo, h)) * (2 * pi / (rows * columns));
+      }
+    }
+    EXPECT_NEAR(ggx_masking(wo, alpha) * sum / wo.z, 1, 1e-3) << azimuth;
+  }
+}
+
+TEST(Anisotropy, StrengthZeroIsTheIsotropicMaterialToTheBit) {
+  Material plain;
+  plain.roughness = 0.35f;
+  const ClosureBench expected(plain), found(brushed(0.35f, 0));
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const Sampler s({1, 2}, i, 3);
+    const Vec3 wo = direction(80 * s.sample_2d(0).x, 360 * s.sample_2d(0).y);
+    const auto a = expected.bsdf(wo).sample(wo, s.sample_2d(1).x, s.sample_2d(2));
+    const auto b = found.bsdf(wo).sample(wo, s.sample_2d(1).x, s.sample_2d(2));
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    EXPECT_EQ(a->wi, b->wi);
+    EXPECT_EQ(a->weight, b->weight);
+    EXPECT_EQ(a->pdf, b->pdf);
+  }
+}
+
+// Turned by a right angle, the surface does to turned directions what it did to the others.
+TEST(Anisotropy, RotationByARightAngleExchangesTheAxes) {
+  const ClosureBench straight(brushed(0.3f, 0.8f)), turned(brushed(0.3f, 0.8f, pi / 2));
+  const auto turn = [](Vec3 w) { return Vec3(-w.y, w.x, w.z); };
+  int compared = 0;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const Sampler s({1, 2}, i, 3);
+    const Vec3 wo = direction(80 * s.sample_2d(0).x, 360 * s.sample_2d(0).y);
+    const Vec3 wi = direction(80 * s.sample_2d(1).x, 360 * s.sample_2d(1).y);
+    const BsdfEval a = straight.bsdf(wo).eval(wo, wi), b = turned.bsdf(turn(wo)).eval(turn(wo), turn(wi));
+    EXPECT_NEAR(a.f_cos.x, b.f_cos.x, 1e-3f * a.f_cos.x);
+    EXPECT_NEAR(a.pdf, b.pdf, 1e-3f * a.pdf);
+    compared += std::abs(a.f_cos.x - straight.bsdf(turn(wo)).eval(turn(wo), turn(wi)).f_cos.x) > 0.1f * a.f_cos.x;
+  }
+  EXPECT_GT(compared, 50) << "the axes look the same";
+}
+
+// Red and green are the direction from -1 to 1, blue is a factor of the strength: this texel, (0, 1) and 0.5, makes of
+// strength 0.8 half of it along the bitangent.
+TEST(Anisotropy, TextureTurnsAndWeakens) {
+  Scene scene;
+  scene.materials = {brushed(0.3f, 0.8f), brushed(0.3f, 0.4f, pi / 2)};
+  TextureImage image;
+  image.width = image.height = 1;
+  image.rgba32 = {Vec4(0.5f, 1, 0.5f, 1)};
+  scene.images = {image};
+  scene.textures = {Texture{}};
+  scene.materials[0].extensions->anisotropy_texture.texture = 0;
+  const BsdfTables tables(scene);
+  SurfacePoint textured, plain;
+  textured.normal_geometric = plain.normal_geometric = textured.normal = plain.normal = Vec3(0, 0, 1);
+  textured.tangent = plain.tangent = Vec4(0.6f, 0.8f, 0, -1);  // mirrored, which an axis does not mind
+  plain.material = 1;
+  const Vec3 wo = direction(50, 20), wi = direction(40, 160);
+  const float expected = make_bsdf(scene, tables, plain, wo).eval(wo, wi).f_cos.x;
+  EXPECT_NEAR(make_bsdf(scene, tables, textured, wo).eval(wo, wi).f_cos.x, expected, 1e-4f * expected);
+}
+
+}  // namespace
+}  // namespace candil::test
