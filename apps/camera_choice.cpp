@@ -67,31 +67,41 @@ CameraChoice choose_from_file(const Scene& scene, std::size_t index, std::option
   return choice;
 }
 
-CameraChoice look_from(const Scene& scene, const CameraOptions& options, ImageSize size) {
+CameraChoice look_from(const Scene& scene, const CameraOptions& options, ImageSize size,
+                       std::span<const Vec3> outline) {
   const Vec3 from = *options.look_from;
-  const Bounds bounds = scene_bounds(scene);
+  Bounds bounds;
+  for (const Vec3 point : outline) bounds.add(point);
+  if (outline.empty()) bounds = scene_bounds(scene);
   const Vec3 at = options.look_at.value_or(bounds.is_empty() ? Vec3(0.0f) : bounds.center());
   const float default_yfov = Camera{}.yfov;
   return {look_at(from, at, options.yfov.value_or(default_yfov)), size,
           fmt::format("from {:g},{:g},{:g} at {:g},{:g},{:g}", from.x, from.y, from.z, at.x, at.y, at.z)};
 }
 
-CameraChoice frame_scene(const Scene& scene, const CameraOptions& options, ImageSize size) {
+CameraChoice frame_scene(const Scene& scene, const CameraOptions& options, ImageSize size,
+                         std::span<const Vec3> outline) {
+  const std::vector<Vec3> own = outline.empty() ? scene_outline(scene) : std::vector<Vec3>();
   const Orbit orbit = options.orbit.value_or(Orbit{});
   const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-  const Camera camera = frame_points(scene_outline(scene), orbit.azimuth, orbit.elevation, aspect, orbit.distance,
-                                     options.yfov.value_or(framing_yfov));
+  const Camera camera = frame_points(outline.empty() ? own : outline, orbit.azimuth, orbit.elevation, aspect,
+                                     orbit.distance, options.yfov.value_or(framing_yfov));
   return {camera, size, fmt::format("orbit {:g},{:g}", glm::degrees(orbit.azimuth), glm::degrees(orbit.elevation))};
 }
 
 }  // namespace
 
-CameraChoice choose_camera(const Scene& scene, const CameraOptions& options, std::optional<ImageSize> wanted_size) {
+bool is_camera_automatic(const Scene& scene, const CameraOptions& options) {
+  return !camera_in_file(scene, options) && !(options.look_from && options.look_at);
+}
+
+CameraChoice choose_camera(const Scene& scene, const CameraOptions& options, std::optional<ImageSize> wanted_size,
+                           std::span<const Vec3> outline) {
   const std::optional<std::size_t> index = camera_in_file(scene, options);
   const ImageSize size = wanted_size.value_or(default_size(0));
   CameraChoice choice = index               ? choose_from_file(scene, *index, wanted_size)
-                        : options.look_from ? look_from(scene, options, size)
-                                            : frame_scene(scene, options, size);
+                        : options.look_from ? look_from(scene, options, size, outline)
+                                            : frame_scene(scene, options, size, outline);
   if (options.yfov) choice.camera.yfov = *options.yfov;
   if (options.lens_radius) choice.camera.lens_radius = *options.lens_radius;
   if (options.focus_distance) choice.camera.focus_distance = *options.focus_distance;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "apps/option_values.h"
@@ -35,6 +36,11 @@ struct CameraChoice {
 /// The camera that was asked for, else the first one in the file, else one that frames the scene. Without a
 /// wanted size: 1024 pixels on the longer side in the proportions that the camera was made for, or 1024x768. Throws
 /// UsageError when the file has no such camera.
-CameraChoice choose_camera(const Scene& scene, const CameraOptions& options, std::optional<ImageSize> wanted_size);
+/// `outline` (empty: that of the scene) is what an automatic camera frames and looks at.
+CameraChoice choose_camera(const Scene& scene, const CameraOptions& options, std::optional<ImageSize> wanted_size,
+                           std::span<const Vec3> outline = {});
+
+/// Whether choose_camera() would frame or look at the middle of the scene.
+bool is_camera_automatic(const Scene& scene, const CameraOptions& options);
 
 }  // namespace candil

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "apps/aov_outputs.h"
 #include "apps/camera_choice.h"
 #include "apps/environment_choice.h"
+#include "apps/frame_names.h"
 #include "apps/outputs.h"
 #include "integrators/render.h"
 #include "io/load_options.h"
@@ -28,6 +30,8 @@ struct RenderOptions {
   DisplayOptions display;
   AovOptions aovs;
   std::filesystem::path statistics;  ///< Empty: none.
+  std::optional<FrameRange> frames;  ///< None: a still.
+  double frames_per_second = 24;
   bool is_quiet = false;
   /// Options that were on the command line ("--spp"): they go before what the scene file wants.
   std::set<std::string> given;
@@ -56,7 +60,7 @@ struct BenchOptions {
   };
 
   std::vector<std::filesystem::path> scenes;
-  LoadOptions load;  ///< The same for all of them.
+  LoadOptions load;                       ///< The same for all of them.
   std::vector<Accelerator> accelerators;  ///< At least one; the others are compared with it.
   std::vector<int> threads;               ///< Empty: one, and all that the machine has.
   ImageSize size{512, 512};

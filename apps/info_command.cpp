@@ -34,6 +34,13 @@ Json describe_images(const Scene& scene) {
   return images;
 }
 
+Json describe_animations(const LoadedScene& loaded) {
+  Json animations = Json::array();
+  for (const AnimationSummary& animation : loaded.animations)
+    animations.push_back({{"name", animation.name}, {"seconds", animation.seconds}});
+  return animations;
+}
+
 Json describe_cameras(const Scene& scene) {
   Json cameras = Json::array();
   for (const Camera& camera : scene.cameras) cameras.push_back({{"name", camera.name}, {"kind", kind_name(camera)}});
@@ -63,13 +70,13 @@ std::string to_json_text(const InfoOptions& options, const LoadedScene& loaded) 
                     {"directional", summary.directional_lights},
                     {"environment", summary.has_environment}};
   json["cameras"] = describe_cameras(loaded.scene);
+  json["animations"] = describe_animations(loaded);
   json["bounds"] = nullptr;
   if (!summary.bounds.is_empty())
     json["bounds"] = {{"low", to_json(summary.bounds.low)}, {"high", to_json(summary.bounds.high)}};
   const GltfContents& contents = loaded.contents;
   json["scenes"] = contents.scenes;
   json["variants"] = contents.variants;
-  json["animations"] = contents.animations;
   json["skins"] = contents.skins;
   json["primitives"] = {{"morphed", contents.morphed_primitives},
                         {"points", contents.point_primitives},
@@ -149,7 +156,9 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
   };
   choices("scenes", contents.scenes, 2);
   choices("variants", contents.variants, 1);
-  choices("animations", contents.animations, 1);
+  if (!loaded.animations.empty()) line("animations", fmt::format("{}", loaded.animations.size()));
+  for (std::size_t i = 0; i < loaded.animations.size(); ++i)
+    line("", fmt::format("{}: '{}', {:g} s", i, printable(loaded.animations[i].name), loaded.animations[i].seconds));
   if (contents.skins > 0) line("skins", fmt::format("{}", contents.skins));
   if (contents.morphed_primitives + contents.point_primitives + contents.line_primitives > 0)
     line("primitives", fmt::format("{} with morph targets, {} of points, {} of lines", contents.morphed_primitives,

@@ -25,6 +25,8 @@ Examples:
   candil model.glb --look-from 2,1,3 --look-at 0,1,0 --fov 40 --aperture 0.02 --focus 3
   candil model.glb --transparent -o cut-out.png      without background
   candil model.glb --time 30 --stats stats.json      what 30 seconds give
+  candil model.glb --animation Walk --at 0.5         a still out of an animation
+  candil model.glb --frames 0-47 --fps 24 -o walk_{:04}.png
   candil model.glb -o - --quiet | display            PNG to standard output
 
 Ctrl-C writes what is there; pressed again, it ends the program at once.)";
@@ -69,6 +71,17 @@ void add_accelerator_argument(Arguments& arguments, AcceleratorOptions& accelera
   arguments.group("Quality");
   arguments.add("--accel", "NAME", accelerator_help,
                 [&](const auto& option, const auto& text) { accelerator = parse_accelerator(option, text); });
+}
+
+void add_sequence_arguments(Arguments& arguments, RenderOptions& options) {
+  arguments.group("Scene");
+  arguments.add("--frames", "A-B",
+                "A picture for each of these frames of the animation; {:04} or %04d in the names of files is the "
+                "frame's number (default: _0001 at their end)",
+                [&](const auto& option, const auto& text) { options.frames = parse_frames(option, text); });
+  arguments.add(
+      "--fps", "N", "Frames per second (default 24): frame k is at k/N seconds",
+      [&](const auto& option, const auto& text) { options.frames_per_second = parse_real(option, text, 1e-3, 1e6); });
 }
 
 void add_camera_arguments(Arguments& arguments, CameraOptions& camera) {
@@ -170,6 +183,7 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
   add_sampling_arguments(arguments, options.settings);
   add_accelerator_argument(arguments, options.accelerator);
   add_scene_arguments(arguments, options.load);
+  add_sequence_arguments(arguments, options);
   add_camera_arguments(arguments, options.camera);
   add_light_arguments(arguments, options.environment);
   app.footer(footer);
@@ -178,6 +192,8 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
 void check_render_arguments(RenderOptions& options) {
   if (options.aovs.is_separate && options.aovs.list.empty() && !options.aovs.with_variance)
     throw UsageError("--aov-separate needs --aov or --variance");
+  if (options.frames && options.load.at) throw UsageError("--at is a still, --frames a sequence: give one of them");
+  if (!options.frames && options.given.contains("--fps")) throw UsageError("--fps needs --frames");
   RenderSettings& settings = options.settings;
   if (settings.threads == 0) settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }

@@ -11,6 +11,7 @@
 #include "apps/command_options.h"
 #include "apps/statistics.h"
 #include "io/load_scene.h"
+#include "io/scene_sequence.h"
 
 namespace candil {
 
@@ -21,6 +22,7 @@ struct PreparedScene {
   std::vector<std::filesystem::path> files;  ///< That were read.
   std::vector<std::string> warnings;         ///< One line each.
   RenderDefaults defaults;
+  std::vector<Vec3> outline;  ///< That an automatic camera frames; empty: the scene's.
   std::unique_ptr<Accelerator> accelerator;
   std::unique_ptr<LightSampler> lights;
   std::unique_ptr<BsdfTables> tables;
@@ -29,6 +31,11 @@ struct PreparedScene {
 
 /// Works on all threads of the arena that it is called in. Throws InputError.
 std::unique_ptr<PreparedScene> prepare_scene(const RenderOptions& options);
+
+/// The same for options.load.at, from a file that is open already. `previous` (null: none) was prepared from it with
+/// the same options for another time; what is as it was then is taken over.
+std::unique_ptr<PreparedScene> prepare_frame(const RenderOptions& options, SceneSequence& sequence,
+                                             std::unique_ptr<PreparedScene> previous);
 
 /// A render with every option settled.
 struct RenderPlan {

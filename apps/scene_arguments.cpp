@@ -1,6 +1,7 @@
 #include "apps/scene_arguments.h"
 
 #include "apps/arguments.h"
+#include "apps/option_values.h"
 
 namespace candil {
 
@@ -10,6 +11,12 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
                 [&](const auto&, const auto& text) { options.scene = text; });
   arguments.add("--variant", "INDEX|NAME", "A variant of the materials of the glTF file (default: none)",
                 [&](const auto&, const auto& text) { options.variant = text; });
+  arguments.add(
+      "--animation", "INDEX|NAME|all",
+      "An animation of the glTF file, or all of them at once (default: none; the first with --at or --frames)",
+      [&](const auto&, const auto& text) { options.animation = text; });
+  arguments.add("--at", "SECONDS", "The time in the animation (default 0); it stands still beyond its ends",
+                [&](const auto& option, const auto& text) { options.at = parse_real(option, text, 0, 1e9); });
 }
 
 }  // namespace candil

@@ -14,7 +14,7 @@ struct NotHonoured {
 
 struct GltfContents {
   std::vector<std::string> extensions_used, extensions_required;  ///< Sorted.
-  std::vector<std::string> scenes, variants, animations;          ///< Names, which may be empty.
+  std::vector<std::string> scenes, variants;                      ///< Names, which may be empty.
   std::size_t skins = 0;
   std::size_t morphed_primitives = 0, point_primitives = 0, line_primitives = 0;
 };

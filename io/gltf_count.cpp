@@ -28,7 +28,6 @@ std::vector<std::string> names(const json& elements) {
 void count_gltf_contents(const json& root, GltfContents& contents) {
   constexpr int points = 0, line_strip = 3;
   contents.scenes = names(member(root, "scenes"));
-  contents.animations = names(member(root, "animations"));
   contents.skins = member(root, "skins").size();
   const json& extensions = member(root, "extensions");
   if (extensions.contains("KHR_materials_variants")) {

@@ -129,10 +129,12 @@ class Skinning {
   }
 
   [[noreturn]] void fail_joint(const std::string& place, int accessor, std::size_t vertex, float value) const {
-    source_.document.fail(place, "accessor " + std::to_string(accessor) + " element " +
-                                     std::to_string(source_.selection.element(vertex)) + ": there is no joint " +
-                                     std::to_string(value).substr(0, 12) + ", the skin has " +
-                                     std::to_string(joints_.size()));
+    source_.document.fail(
+        place, "accessor " + std::to_string(accessor) + " element " +
+                   std::to_string(source_.selection.element(vertex)) + ": there is no joint " +
+                   (value == std::floor(value) && std::abs(value) < 1e6f ? std::to_string(static_cast<int>(value))
+                                                                         : std::to_string(value).substr(0, 12)) +
+                   ", the skin has " + std::to_string(joints_.size()));
   }
 
   static void add(const Affine& joint, float weight, Blend& blend) {

@@ -163,6 +163,32 @@ GltfSkin read_skin(const json& skin) {
   return {skin.value("inverseBindMatrices", -1), skin.at("joints").get<std::vector<std::size_t>>()};
 }
 
+GltfAnimation read_animation(const json& source) {
+  GltfAnimation animation;
+  animation.name = source.value("name", std::string());
+  for (const json& sampler : source.at("samplers")) {
+    animation.samplers.push_back({sampler.at("input").get<int>(), sampler.at("output").get<int>(),
+                                  sampler.value("interpolation", std::string("LINEAR"))});
+  }
+  static const json::json_pointer pointer("/extensions/KHR_animation_pointer/pointer");
+  for (const json& channel : source.at("channels")) {
+    const json& target = channel.at("target");
+    animation.channels.push_back({channel.at("sampler").get<std::size_t>(), target.value("node", -1),
+                                  target.at("path").get<std::string>(),
+                                  target.contains(pointer) ? target.at(pointer).get<std::string>() : std::string()});
+  }
+  return animation;
+}
+
+/// The parts of the file that GltfDocument::pose() can replace.
+json movable_parts(const json& root) {
+  json parts = json::object();
+  for (const char* part : {"nodes", "meshes", "cameras", "materials", "extensions"}) {
+    if (root.contains(part)) parts[part] = root.at(part);
+  }
+  return parts;
+}
+
 /// What the loader reads through tinygltf: without the parts that hold bytes, and without those candil has no use for.
 std::string reduced_json(json& root) {
   for (const char* part : {"buffers", "images", "skins", "animations"}) root.erase(part);
@@ -222,12 +248,29 @@ GltfDocument::GltfDocument(const std::filesystem::path& path)
   for (const json& image : array_of(root, "images")) {
     images_.push_back(read_image_source(image, images_.size(), name_));
   }
-  has_animations_ = !array_of(root, "animations").empty();
+  for (const json& animation : array_of(root, "animations")) animations_.push_back(read_animation(animation));
   for (const json& skin : array_of(root, "skins")) skins_.push_back(read_skin(skin));
   model_ = parse_model(reduced_json(root), name_);
+  movable_ = std::make_unique<json>(animations_.empty() ? json::object() : movable_parts(root));
 }
 
 GltfDocument::~GltfDocument() = default;
+
+void GltfDocument::pose(const json& parts) {
+  json text = {{"asset", {{"version", "2.0"}}}};
+  for (const char* part : {"nodes", "cameras", "materials", "extensions"}) {
+    if (parts.contains(part)) text[part] = parts.at(part);
+  }
+  const std::unique_ptr<tinygltf::Model> posed = parse_model(text.dump(), name_);
+  if (parts.contains("nodes")) model_->nodes = std::move(posed->nodes);
+  if (parts.contains("cameras")) model_->cameras = std::move(posed->cameras);
+  if (parts.contains("materials")) model_->materials = std::move(posed->materials);
+  if (parts.contains("extensions")) model_->lights = std::move(posed->lights);
+  const json& meshes = array_of(parts, "meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    if (meshes[m].contains("weights")) model_->meshes[m].weights = meshes[m].at("weights").get<std::vector<double>>();
+  }
+}
 
 void GltfDocument::fail(const std::string& place, const std::string& message) const {
   throw InputError(name_, place, message);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,23 @@ struct GltfSkin {
   std::vector<std::size_t> joints;  ///< Nodes.
 };
 
+struct GltfAnimationSampler {
+  int input = 0, output = 0;  ///< Accessors: times, values.
+  std::string interpolation;
+};
+
+struct GltfAnimationChannel {
+  std::size_t sampler = 0;  ///< Of the same animation.
+  int node = -1;
+  std::string path, pointer;  ///< The pointer of KHR_animation_pointer for the path "pointer".
+};
+
+struct GltfAnimation {
+  std::string name;
+  std::vector<GltfAnimationSampler> samplers;
+  std::vector<GltfAnimationChannel> channels;
+};
+
 class GltfDocument {
  public:
   /// Reads the file and all its buffers, each once. Throws InputError for anything that is not a structurally sound
@@ -50,9 +68,15 @@ class GltfDocument {
   std::span<const std::byte> buffer_view(std::size_t index) const { return views_[index]; }
   /// All bytes that came with the scene, the measure of how much geometry it may expand to.
   std::size_t total_bytes() const { return total_bytes_; }
-  bool has_animations() const { return has_animations_; }
+  const std::vector<GltfAnimation>& animations() const { return animations_; }
   const std::vector<GltfSkin>& skins() const { return skins_; }
   const GltfContents& contents() const { return contents_; }
+
+  /// The JSON of everything that an animation can move, checked; an empty object in files without animations.
+  const nlohmann::json& movable_json() const { return *movable_; }
+  /// Replaces the nodes, cameras, materials, lights and default weights of meshes in model(), those that `parts` has: a
+  /// copy of movable_json() or of some of its members, with other values of the same kinds.
+  void pose(const nlohmann::json& parts);
 
   [[noreturn]] void fail(const std::string& place, const std::string& message) const;
 
@@ -66,7 +90,8 @@ class GltfDocument {
   std::vector<GltfImageSource> images_;
   GltfContents contents_;
   std::vector<GltfSkin> skins_;
-  bool has_animations_ = false;
+  std::vector<GltfAnimation> animations_;
+  std::unique_ptr<nlohmann::json> movable_;
   std::size_t total_bytes_ = 0;
   std::unique_ptr<tinygltf::Model> model_;
 };

@@ -30,7 +30,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"FB_ngon_encoding", GltfTier::harmless, "polygons of the same triangles"},
     {"GODOT_single_root", GltfTier::harmless, "structure"},
     {"GRIFFEL_bim_data", GltfTier::harmless, "metadata"},
-    {"KHR_animation_pointer", GltfTier::unsupported},
+    {"KHR_animation_pointer", GltfTier::full},
     {"KHR_draco_mesh_compression", GltfTier::unsupported},
     {"KHR_gaussian_splatting", GltfTier::unsupported},
     {"KHR_interactivity", GltfTier::unsupported, "nothing is run"},
@@ -116,7 +116,6 @@ std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents) {
   const auto add = [&](bool is_there, const char* what, const char* reason) {
     if (is_there) parts.push_back({what, reason});
   };
-  add(!contents.animations.empty(), "animations", "unsupported: nodes stay where the file puts them");
   add(contents.point_primitives > 0, "primitives of points", "unsupported: not shown");
   add(contents.line_primitives > 0, "primitives of lines", "unsupported: not shown");
   return parts;

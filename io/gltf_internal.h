@@ -43,12 +43,30 @@ float in_range(double value, double low, double high, const std::string& place, 
 /// "materials[3]".
 std::string indexed(const char* array, std::size_t index);
 
+/// The images of a texture in order of preference: the first that can be decoded is shown.
+using ImageChoice = std::vector<std::size_t>;
+
+/// Decoded images, for a file that is shown at several times. A scene takes its images from here and brings them back.
+class ImageCache {
+ public:
+  /// Nothing for an image that is not here.
+  std::optional<TextureImage> take(const ImageChoice& choice);
+  /// `choices`: what the images of the scene that is under way are.
+  void note_taken(std::vector<ImageChoice> choices) { taken_ = std::move(choices); }
+  void put_back(std::vector<TextureImage> images);
+
+ private:
+  std::map<ImageChoice, TextureImage> images_;
+  std::vector<ImageChoice> taken_;
+};
+
 /// The textures that materials use, and their images. Ids of Scene::textures and Scene::images are given on first use,
 /// so that nothing else is decoded.
 class TextureTable {
  public:
-  TextureTable(const GltfDocument& document, Scene& scene, Warnings& warnings)
-      : document_(document), scene_(scene), warnings_(warnings) {}
+  /// What `cache` (null: none) has is not decoded again.
+  TextureTable(const GltfDocument& document, Scene& scene, Warnings& warnings, ImageCache* cache = nullptr)
+      : document_(document), scene_(scene), warnings_(warnings), cache_(cache) {}
 
   /// The id of textures[index] in Scene::textures, invalid_id (and a warning) if it has no image that candil could
   /// read.
@@ -59,8 +77,6 @@ class TextureTable {
   std::vector<std::filesystem::path> decode_images();
 
  private:
-  /// The images of a texture in order of preference: the first that can be decoded is shown.
-  using ImageChoice = std::vector<std::size_t>;
   ImageChoice images_of(const tinygltf::Texture& texture);
   std::uint32_t image(const ImageChoice& choice);
   /// The first image with the same source: exporters list a file once per texture.
@@ -73,6 +89,7 @@ class TextureTable {
   const GltfDocument& document_;
   Scene& scene_;
   Warnings& warnings_;
+  ImageCache* cache_;
   std::map<int, std::uint32_t> texture_ids_;
   std::map<std::pair<std::string_view, int>, std::size_t> first_images_;
   std::map<ImageChoice, std::uint32_t> image_ids_;

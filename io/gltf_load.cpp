@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <utility>
+
+#include "io/error.h"
 #include "io/gltf_accessor.h"
+#include "io/gltf_animation.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_internal.h"
+#include "io/scene_sequence.h"
 
 namespace candil {
 
@@ -16,31 +22,103 @@ void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warni
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
   for (NotHonoured& part : parts_not_honoured(loaded.contents)) loaded.not_honoured.push_back(std::move(part));
-  if (document.has_animations()) warnings.add("animations are not supported and ignored");
+}
+
+/// What is kept of a file between two times.
+struct GltfCache {
+  GeometryCache geometry;
+  ImageCache images;
+};
+
+enum class Content { all, without_images };
+
+/// The file as it stands. `cache`: null for files that are shown once.
+LoadedScene read_document(const GltfDocument& document, const LoadOptions& options, Content content, GltfCache* cache,
+                          Warnings& warnings) {
+  LoadedScene loaded;
+  report_unsupported(document, loaded, warnings);
+  loaded.animations = list_animations(document);
+  TextureTable textures(document, loaded.scene, warnings, cache == nullptr ? nullptr : &cache->images);
+  MaterialTable materials(document, loaded.scene, textures, warnings, choose_variant(document, options.variant));
+  const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
+  add_instances(document, nodes, loaded.scene, materials, warnings, cache == nullptr ? nullptr : &cache->geometry);
+  add_cameras(document, nodes, loaded.scene, warnings);
+  add_lights(document, nodes, loaded.scene, warnings);
+  // Once is enough to find damage that no picture would show.
+  if (cache == nullptr) check_unused_meshes(document, nodes);
+  loaded.files = document.files();
+  if (content == Content::all) {
+    for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
+  }
+  bake_single_instances(loaded.scene);
+  return loaded;
 }
 
 }  // namespace
 
 LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  const GltfDocument document(path);
-  LoadedScene loaded;
+  GltfDocument document(path);
   Warnings warnings;
-  report_unsupported(document, loaded, warnings);
-
-  TextureTable textures(document, loaded.scene, warnings);
-  MaterialTable materials(document, loaded.scene, textures, warnings, choose_variant(document, options.variant));
-  const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
-  add_instances(document, nodes, loaded.scene, materials, warnings);
-  add_cameras(document, nodes, loaded.scene, warnings);
-  add_lights(document, nodes, loaded.scene, warnings);
-  check_unused_meshes(document, nodes);
+  if (options.is_animated()) {
+    GltfAnimator(document, options.animation, warnings).move(document, options.at.value_or(0));
+  }
+  LoadedScene loaded = read_document(document, options, Content::all, nullptr, warnings);
   check_accessors(document);
-  loaded.files = document.files();
-  for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
-
-  bake_single_instances(loaded.scene);
   loaded.warnings = warnings.take();
   return loaded;
+}
+
+struct SceneSequence::File {
+  File(const std::filesystem::path& path, const LoadOptions& asked)
+      : options(asked), document(path), animator(document, asked.animation, warnings) {
+    check_accessors(document);
+  }
+
+  LoadedScene read(double seconds, Content content) {
+    animator.move(document, seconds);
+    return read_document(document, options, content, &cache, warnings);
+  }
+
+  LoadOptions options;
+  Warnings warnings;  // before the animator, which adds to them
+  GltfDocument document;
+  GltfAnimator animator;
+  GltfCache cache;
+  std::optional<Motion> motion;
+};
+
+SceneSequence::SceneSequence(const std::filesystem::path& path, const LoadOptions& options) {
+  if (!is_gltf_scene(path)) throw InputError(path.string(), "", "has no animations; only glTF files do");
+  file_ = std::make_unique<File>(path, options);
+}
+
+SceneSequence::~SceneSequence() = default;
+
+LoadedScene SceneSequence::at(double seconds) {
+  LoadedScene loaded = file_->read(seconds, Content::all);
+  loaded.warnings = std::exchange(file_->warnings, {}).take();
+  return loaded;
+}
+
+void SceneSequence::recycle(Scene scene) { file_->cache.images.put_back(std::move(scene.images)); }
+
+const SceneSequence::Motion& SceneSequence::motion() {
+  if (file_->motion) return *file_->motion;
+  constexpr int steps = 16;
+  constexpr std::size_t most_points = 100'000;  // of one time
+  Motion motion;
+  for (int step = 0; step <= steps; ++step) {
+    const Scene scene = file_->read(file_->animator.length() * step / steps, Content::without_images).scene;
+    motion.has_light = motion.has_light || has_light(scene);
+    std::vector<Vec3> points = scene_outline(scene);
+    if (points.size() > most_points) {
+      const Bounds bounds = scene_bounds(scene);
+      points.clear();
+      for (int corner = 0; corner < 8; ++corner) points.push_back(bounds.corner(corner));
+    }
+    motion.outline.insert(motion.outline.end(), points.begin(), points.end());
+  }
+  return file_->motion.emplace(std::move(motion));
 }
 
 }  // namespace candil

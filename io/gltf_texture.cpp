@@ -129,6 +129,17 @@ TextureImage TextureTable::decode_first(const ImageChoice& choice, std::vector<s
   return decode(choice.back(), files);
 }
 
+std::optional<TextureImage> ImageCache::take(const ImageChoice& choice) {
+  const auto found = images_.extract(choice);
+  if (found.empty()) return {};
+  return std::move(found.mapped());
+}
+
+void ImageCache::put_back(std::vector<TextureImage> images) {
+  for (std::size_t i = 0; i < std::min(images.size(), taken_.size()); ++i) images_[taken_[i]] = std::move(images[i]);
+  taken_.clear();
+}
+
 std::vector<std::filesystem::path> TextureTable::decode_images() {
   const std::size_t count = image_choices_.size();
   scene_.images.resize(count);
@@ -138,8 +149,15 @@ std::vector<std::filesystem::path> TextureTable::decode_images() {
   // One file must not fill the memory with small pictures that claim to be large.
   constexpr std::size_t most_bytes = std::size_t{8} << 30;
   std::atomic<std::size_t> decoded_bytes = 0;
+  std::vector<bool> is_known(count);
+  for (std::size_t i = 0; i < count && cache_ != nullptr; ++i) {
+    std::optional<TextureImage> known = cache_->take(image_choices_[i]);
+    if (known) scene_.images[i] = std::move(*known), is_known[i] = true;
+  }
+  if (cache_ != nullptr) cache_->note_taken(image_choices_);
 
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    if (is_known[i]) return;
     try {
       if (decoded_bytes > most_bytes) document_.fail("images", "need more than 8 GiB when decoded");
       scene_.images[i] = decode_first(image_choices_[i], files[i], fallback_reasons[i]);

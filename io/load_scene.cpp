@@ -42,16 +42,31 @@ LoadedScene without_choice(LoadedScene loaded, const LoadOptions& options) {
   return loaded;
 }
 
-}  // namespace
+enum class SceneKind { json, ply, gltf };
 
-LoadedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
-  if (path.extension() == ".json" && is_json_scene(path)) return without_choice(load_json_scene(path), options);
+SceneKind kind_of(const std::filesystem::path& path) {
+  if (path.extension() == ".json" && is_json_scene(path)) return SceneKind::json;
   const std::string start = read_start(path);
-  if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply"))
-    return without_choice(load_ply_scene(path), options);
+  if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply")) return SceneKind::ply;
   // What cannot be opened gets its message from the reader.
   if (!start.empty() && !looks_like_gltf(start))
     throw InputError(path.string(), "", "is no .gltf, .glb, .json or .ply file");
+  return SceneKind::gltf;
+}
+
+}  // namespace
+
+bool is_gltf_scene(const std::filesystem::path& path) { return kind_of(path) == SceneKind::gltf; }
+
+LoadedScene load_scene(const std::filesystem::path& path, const LoadOptions& options) {
+  switch (kind_of(path)) {
+    case SceneKind::json:
+      return without_choice(load_json_scene(path), options);
+    case SceneKind::ply:
+      return without_choice(load_ply_scene(path), options);
+    case SceneKind::gltf:
+      break;
+  }
   return load_gltf(path, options);
 }
 

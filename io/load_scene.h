@@ -23,6 +23,11 @@ struct RenderDefaults {
   std::optional<float> exposure;  ///< Stops.
 };
 
+struct AnimationSummary {
+  std::string name;
+  double seconds = 0;  ///< From 0 to its last key.
+};
+
 struct LoadedScene {
   Scene scene;                        ///< Baked (bake_single_instances()) and valid: renderers need no further check.
   std::vector<std::string> warnings;  ///< One line each; oddities that do not stop a render.
@@ -30,11 +35,15 @@ struct LoadedScene {
   std::vector<NotHonoured> not_honoured;            ///< Of the contents.
   std::vector<std::string> extensions_unsupported;  ///< Those that were ignored and could change the picture.
   std::vector<std::filesystem::path> files;         ///< All that were read, for programs that must not replace them.
+  std::vector<AnimationSummary> animations;         ///< That the file has.
   RenderDefaults render_defaults;                   ///< Of a JSON scene.
   /// The file says what lights it, be it darkness: a JSON scene with lights, an emitting material or an environment.
   /// Otherwise has_light() may tell.
   bool is_lit = false;
 };
+
+/// Whether load_scene() takes the file for glTF, the one format with animations.
+bool is_gltf_scene(const std::filesystem::path& path);
 
 /// Loads .gltf, .glb, .ply and .json (a scene as docs/scene-format.md has it, or glTF). Throws InputError when the file
 /// cannot be used, or has not what the options choose; PLY and JSON scenes have nothing to choose, other options than
