@@ -158,7 +158,9 @@ TEST(ThinFilm, StaysWithinEnergy) {
             EXPECT_GE(found[c], 0);
             EXPECT_LE(found[c], 1);
           }
-          if (cosine == 0) EXPECT_GT(found.y, 0.999f);
+          if (cosine == 0) {
+            EXPECT_GT(found.y, 0.999f);
+          }
         }
       }
     }
