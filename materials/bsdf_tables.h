@@ -1,8 +1,8 @@
 /// Albedos that closures need to keep energy, tabulated once per scene.
 #pragma once
 
-#include <optional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/scene.h"

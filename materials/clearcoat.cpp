@@ -1,25 +1,16 @@
 #include "materials/clearcoat.h"
 
-#include "materials/fresnel.h"
 #include "materials/ggx.h"
 
 namespace candil {
-namespace {
-
-constexpr float f0 = 0.04f;  // ((1.5 - 1) / (1.5 + 1))^2
-
-float reflectance(float cosine) { return fresnel_schlick(Vec3(f0), Vec3(1), cosine).x; }
-
-}  // namespace
-
 ClearcoatLobe::ClearcoatLobe(const ClearcoatParameters& p, const GgxAlbedo& table, Vec3 wo)
     : frame_(p.normal), weight_(p.weight), alpha_(sqr(p.roughness)), is_delta_(alpha_ < ggx_min_alpha) {
   const float cosine = glm::dot(p.normal, wo);
   if (is_delta_) {
-    albedo_ = weight_ * reflectance(cosine);
+    albedo_ = weight_ * clearcoat_reflectance(cosine);
   } else {
     const GgxAlbedo::Split single = table.directional(p.roughness, cosine);
-    albedo_ = weight_ * (f0 * single.scale + single.bias);
+    albedo_ = weight_ * (clearcoat_f0 * single.scale + single.bias);
   }
 }
 
@@ -27,7 +18,7 @@ BsdfEval ClearcoatLobe::eval(Vec3 wo, Vec3 wi) const {
   const Vec3 local_o = frame_.to_local(wo), local_i = frame_.to_local(wi);
   if (is_delta_ || local_o.z <= 0 || local_i.z <= 0) return {};
   const GgxReflection facets = ggx_reflection(local_o, local_i, alpha_);
-  return {Vec3(weight_ * reflectance(facets.cosine) * facets.value), facets.pdf};
+  return {Vec3(weight_ * clearcoat_reflectance(facets.cosine) * facets.value), facets.pdf};
 }
 
 std::optional<BsdfSample> ClearcoatLobe::sample(Vec3 wo, Vec2 u) const {

@@ -2,6 +2,7 @@
 
 #include "core/color.h"
 #include "core/warp.h"
+#include "materials/clearcoat.h"
 #include "materials/fresnel.h"
 #include "materials/ggx.h"
 
@@ -15,7 +16,8 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
       reflects_all_(p.ior == 0),
       tint_(p.tint),
       f0_(p.f0),
-      f90_(p.f90) {
+      f90_(p.f90),
+      coat_beyond_(p.coat_beyond) {
   eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.ior : p.ior;
   reflecting_eta_ = reflects_all_ ? 1.0f : from_inside_ ? 1 / p.reflecting_ior : p.reflecting_ior;
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.reflecting_ior));
@@ -44,6 +46,14 @@ Vec3 BasicDielectricLobes<Facets>::reflectance_without_film(float cosine) const 
 
 template <typename Facets>
 Vec3 BasicDielectricLobes<Facets>::reflectance(float cosine) const {
+  const Vec3 own = reflectance_without_coat(cosine);
+  if (coat_beyond_ == 0) return own;
+  const float cosine_beyond = safe_sqrt(1 - (1 - sqr(cosine)) / sqr(eta_));
+  return own + (1.0f - own) * (coat_beyond_ * clearcoat_reflectance(cosine_beyond));
+}
+
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::reflectance_without_coat(float cosine) const {
   const Vec3 bare = reflectance_without_film(cosine);
   if constexpr (Facets::is_extended) {
     if (facets_.film && !reflects_all_) return glm::mix(bare, film_reflectance(cosine), facets_.film.share);

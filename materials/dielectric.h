@@ -6,7 +6,9 @@
 /// KHR_materials_specular reshapes the reflectance between its f0 and f90; without it the exact curve stands. Energy
 /// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
 /// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, so that a rough volume with
-/// KHR_materials_specular may be off by up to 6 %. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is
+/// KHR_materials_specular may be off by up to 6 %. Seen from inside, a clear coat lies beyond the interface, and each
+/// facet gets Fresnel's reflectance of both, as if the coat were smooth and parallel to the facet: what a coat does not
+/// let in by one way it does not let out by the same. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is
 /// transmission.
 #pragma once
 
@@ -25,6 +27,7 @@ struct DielectricParameters {
   bool from_inside = false;   ///< wo is inside of the medium; false for thin walls.
   Vec3 tint{1.0f};            ///< Colour of what is transmitted at this interface.
   Vec3 f0{0.04f}, f90{1.0f};  ///< Reflectance at normal and grazing incidence.
+  float coat_beyond = 0;      ///< Weight of a clear coat that lies on the other side; 0 for thin walls.
   /// Of this index; may be null when the surface is smooth or does not refract. Extended facets bring theirs.
   const DielectricAlbedo* table = nullptr;
 };
@@ -46,7 +49,9 @@ class BasicDielectricLobes {
  private:
   enum class Side { here, beyond };
 
+  /// Of a facet, with what a coat beyond it sends back.
   Vec3 reflectance(float cosine) const;
+  Vec3 reflectance_without_coat(float cosine) const;
   Vec3 reflectance_without_film(float cosine) const;
   Vec3 film_reflectance(float cosine) const;
   bool refracts() const { return !is_thin_ && !reflects_all_ && facets_.has_dielectric_table(); }
@@ -65,6 +70,7 @@ class BasicDielectricLobes {
   bool is_thin_ = false, from_inside_ = false, is_delta_ = true;
   bool has_exact_fresnel_ = true, reflects_all_ = false;
   Vec3 tint_{1.0f}, f0_{0.04f}, f90_{1.0f};
+  float coat_beyond_ = 0;
   float lost_ = 0;  // energy towards wo that single scattering loses; also the probability of the broad lobes
   float mean_lost_here_ = 1, mean_lost_beyond_ = 1;
   float multiple_transmitted_ = 0;  // share of the lost energy that goes beyond

@@ -169,6 +169,7 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
     p.tint = base * wavelength.response;
     p.f0 = f0;
     p.f90 = f90;
+    p.coat_beyond = layers.coat_beyond;
     p.table = tables.dielectric(point.material);
     if (is_extended) {
       bsdf.extended_dielectric_.emplace(p, facets(), bsdf.frame_.to_local(wo));

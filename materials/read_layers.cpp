@@ -6,15 +6,18 @@
 namespace candil {
 namespace {
 
+float coat_weight(const Scene& scene, const MaterialExtensions& material, const SurfacePoint& point) {
+  if (material.clearcoat == 0) return 0;
+  return glm::clamp(material.clearcoat * channel(scene, material.clearcoat_texture, point, 0), 0.0f, 1.0f);
+}
+
 std::optional<ClearcoatParameters> read_coat(const Scene& scene, const MaterialExtensions& material,
                                              const SurfacePoint& point, Vec3 wo, float side, Vec3 normal_of_sides) {
-  if (material.clearcoat == 0) return std::nullopt;
-  const float weight = material.clearcoat * channel(scene, material.clearcoat_texture, point, 0);
-  if (!(weight > 0)) return std::nullopt;
+  const float weight = coat_weight(scene, material, point);
+  if (weight == 0) return std::nullopt;
   const Vec3 normal = mapped_normal(scene, material.clearcoat_normal_texture, material.clearcoat_normal_scale, point);
   return ClearcoatParameters{
-      glm::min(weight, 1.0f),
-      material.clearcoat_roughness * channel(scene, material.clearcoat_roughness_texture, point, 1),
+      weight, material.clearcoat_roughness * channel(scene, material.clearcoat_roughness_texture, point, 1),
       valid_normal(side * normal, normal_of_sides, wo, true)};
 }
 
@@ -31,9 +34,14 @@ std::optional<SheenParameters> read_sheen(const Scene& scene, const MaterialExte
 
 LayerParameters read_layers(const Scene& scene, const Material& material, const SurfacePoint& point, Vec3 wo,
                             float side, Vec3 normal_of_sides) {
-  if (side < 0 && material.is_volume()) return {};
-  return {read_coat(scene, *material.extensions, point, wo, side, normal_of_sides),
-          read_sheen(scene, *material.extensions, point)};
+  LayerParameters layers;
+  if (side < 0 && material.is_volume()) {
+    layers.coat_beyond = coat_weight(scene, *material.extensions, point);
+  } else {
+    layers.coat = read_coat(scene, *material.extensions, point, wo, side, normal_of_sides);
+    layers.sheen = read_sheen(scene, *material.extensions, point);
+  }
+  return layers;
 }
 
 Layers make_layers(const LayerParameters& p, const BsdfTables& tables, Vec3 normal, Vec3 wo, Vec3 base_albedo) {

@@ -121,11 +121,11 @@ Material with_sheen(Material m, Vec3 color, float roughness) {
 std::vector<NamedMaterial> sheen_materials(float r) {
   const Vec3 white_sheen(1), red(0.8f, 0.2f, 0.1f);
   const Material diffuse = with(white(1), [](Material& m) { m.specular = 0; });
-  const Material black = with(white(0.4f), [](Material& m) { m.base_color = Vec4(0, 0, 0, 1); });
+  const Material dark = with(white(0.4f), [](Material& m) { m.base_color = Vec4(0.1f, 0.1f, 0.1f, 1); });
   return {
       {"sheen_on_diffuse", with_sheen(diffuse, white_sheen, r), true, false},
       {"red_sheen_on_diffuse", with_sheen(diffuse, red, r), false, false},
-      {"sheen_on_black", with_sheen(black, white_sheen, r), false, false},
+      {"sheen_on_dark", with_sheen(dark, white_sheen, r), false, false},
       {"sheen_on_plastic", with_sheen(white(0.4f), Vec3(0.5f), r), true, false},
       {"sheen_on_metal", with_sheen(metal(0.3f), white_sheen, r), true, false},
       {"sheen_on_mirror", with_sheen(metal(0), white_sheen, r), true, false},
