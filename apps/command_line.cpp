@@ -10,6 +10,7 @@
 #include "apps/check/check_arguments.h"
 #include "apps/compare/compare_arguments.h"
 #include "apps/extension_list.h"
+#include "apps/fidelity_arguments.h"
 #include "apps/messages.h"
 #include "apps/render_arguments.h"
 #include "apps/scene_arguments.h"
@@ -33,6 +34,7 @@ Examples:
   candil compare golden.png picture.png --threshold flip=0.02 --html report.html
   candil check suite.toml --junit out.xml
   candil --list-extensions
+  candil fidelity scenario.json --spp 256
 
 Exit codes: 0 done, 1 difference found, 2 wrong usage, 3 the input cannot be used, 4 the output cannot be
 written, 70 a mistake in candil, 130 interrupted.)";
@@ -55,8 +57,9 @@ void add_info_arguments(CLI::App& app, InfoOptions& options) {
 /// The words after the program's name, with `render` put in front where no command is named.
 std::vector<std::string> with_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  constexpr std::string_view known[] = {"render", "tonemap", "compare", "check",     "info",
-                                        "bench",  "-h",      "--help",  "--version", "--list-extensions"};
+  constexpr std::string_view known[] = {"render",           "tonemap", "compare", "check",  "info",
+                                        "fidelity",         "bench",   "-h",      "--help", "--version",
+                                        "--list-extensions"};
   if (words.empty()) throw UsageError("no scene given; try `candil model.glb` or `candil --help`");
   if (std::ranges::find(known, words.front()) == std::end(known)) words.insert(words.begin(), "render");
   std::ranges::reverse(words);  // the order in which CLI11 takes them
@@ -91,6 +94,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   BenchOptions bench_options;
   CLI::App* const bench = app.add_subcommand("bench", "Compare accelerators on the rays of a render");
   add_bench_arguments(*bench, bench_options);
+  FidelityOptions fidelity_options;
+  CLI::App* const fidelity = app.add_subcommand("fidelity", "Render a scenario of the Khronos render fidelity suite");
+  add_fidelity_arguments(*fidelity, fidelity_options);
   CheckOptions check_options;
   CLI::App* const check = app.add_subcommand("check", "Render a suite of scenes and compare with golden images");
   add_check_arguments(*check, check_options);
@@ -116,6 +122,11 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (bench->parsed()) {
     complete_bench_arguments(bench_options);
     return bench_options;
+  }
+  if (fidelity->parsed()) {
+    note_given_options(*fidelity, fidelity_options.render);
+    check_render_arguments(fidelity_options.render);
+    return fidelity_options;
   }
   if (check->parsed()) {
     check_options.is_update = check->count("--update") > 0;

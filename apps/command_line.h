@@ -14,8 +14,8 @@ struct PrintText {
   std::string text;
 };
 
-using Command =
-    std::variant<RenderOptions, TonemapOptions, CompareOptions, InfoOptions, BenchOptions, CheckOptions, PrintText>;
+using Command = std::variant<RenderOptions, TonemapOptions, CompareOptions, InfoOptions, BenchOptions, CheckOptions,
+                             FidelityOptions, PrintText>;
 
 /// `render` may be left out. Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -37,6 +37,14 @@ struct RenderOptions {
   std::set<std::string> given;
 };
 
+/// `candil fidelity`.
+struct FidelityOptions {
+  std::string scenario;        ///< A file, or the JSON itself.
+  std::filesystem::path base;  ///< What its paths are relative to; empty: see read_scenario().
+  double pixel_ratio = 2;      ///< Pixels for each of the scenario's dimensions, along each side.
+  RenderOptions render;        ///< What the command line says goes before the scenario.
+};
+
 /// `candil tonemap`.
 struct TonemapOptions {
   std::filesystem::path input;

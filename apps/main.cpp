@@ -9,6 +9,7 @@
 #include "apps/command_line.h"
 #include "apps/compare/compare_command.h"
 #include "apps/exit_code.h"
+#include "apps/fidelity_command.h"
 #include "apps/info_command.h"
 #include "apps/messages.h"
 #include "apps/render_command.h"
@@ -22,6 +23,7 @@ namespace {
 int run(const RenderOptions& options) { return run_render(options); }
 int run(const TonemapOptions& options) { return run_tonemap(options); }
 int run(const CompareOptions& options) { return run_compare(options); }
+int run(const FidelityOptions& options) { return run_fidelity(options); }
 int run(const InfoOptions& options) { return run_info(options); }
 int run(const BenchOptions& options) { return run_bench(options); }
 int run(const CheckOptions& options) { return run_check(options); }

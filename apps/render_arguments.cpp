@@ -172,13 +172,10 @@ FilterKind parse_filter(std::string_view option, std::string_view text) {
   return *kind;
 }
 
-void add_render_arguments(CLI::App& app, RenderOptions& options) {
+void add_render_options(CLI::App& app, RenderOptions& options) {
   constexpr std::uint32_t not_given = 0;
   options.settings.samples_per_pixel = not_given;
   Arguments arguments(app);
-  app.add_option_function<std::string>(
-         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb, .ply or .json")
-      ->required();
   add_output_arguments(app, arguments, options);
   add_sampling_arguments(arguments, options.settings);
   add_accelerator_argument(arguments, options.accelerator);
@@ -186,6 +183,13 @@ void add_render_arguments(CLI::App& app, RenderOptions& options) {
   add_sequence_arguments(arguments, options);
   add_camera_arguments(arguments, options.camera);
   add_light_arguments(arguments, options.environment);
+}
+
+void add_render_arguments(CLI::App& app, RenderOptions& options) {
+  app.add_option_function<std::string>(
+         "SCENE", [&](const std::string& text) { options.scene = text; }, "Scene file: .gltf, .glb, .ply or .json")
+      ->required();
+  add_render_options(app, options);
   app.footer(footer);
 }
 

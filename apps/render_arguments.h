@@ -14,6 +14,10 @@ class App;
 
 namespace candil {
 
+/// Declares all but the scene: what can be asked of any render. Parsing fills `options`, which must outlive it. Values
+/// out of range throw UsageError while parsing.
+void add_render_options(CLI::App& app, RenderOptions& options);
+
 /// Declares the arguments; parsing fills `options`, which must outlive it. Values out of range throw UsageError
 /// while parsing.
 void add_render_arguments(CLI::App& app, RenderOptions& options);

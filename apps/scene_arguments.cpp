@@ -4,6 +4,16 @@
 #include "apps/option_values.h"
 
 namespace candil {
+namespace {
+
+LightUnits parse_light_units(const std::string& option, const std::string& text) {
+  if (text == "spec") return LightUnits::spec;
+  if (text == "compat") return LightUnits::compat;
+  if (text == "raw") return LightUnits::raw;
+  fail_choice(option, text, {"spec", "compat", "raw"});
+}
+
+}  // namespace
 
 void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
   arguments.group("Scene");
@@ -17,6 +27,11 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
       [&](const auto&, const auto& text) { options.animation = text; });
   arguments.add("--at", "SECONDS", "The time in the animation (default 0); it stands still beyond its ends",
                 [&](const auto& option, const auto& text) { options.at = parse_real(option, text, 0, 1e9); });
+  arguments.add(
+      "--light-units", "KIND",
+      "Punctual lights of glTF: spec (candela and lux, default); files that Blender exported otherwise: compat "
+      "(Unitless: W/sr, W/m2), raw (W, W/m2)",
+      [&](const auto& option, const auto& text) { options.light_units = parse_light_units(option, text); });
 }
 
 }  // namespace candil

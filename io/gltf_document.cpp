@@ -195,7 +195,8 @@ std::string reduced_json(json& root) {
   if (root.contains("extensions")) {
     json kept = json::object();
     json& extensions = root.at("extensions");
-    if (extensions.contains("KHR_lights_punctual")) kept["KHR_lights_punctual"] = extensions["KHR_lights_punctual"];
+    for (const char* const name : {"EXT_lights_image_based", "KHR_lights_punctual"})
+      if (extensions.contains(name)) kept[name] = extensions[name];
     extensions = kept;
   }
   return root.dump();

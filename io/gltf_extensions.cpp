@@ -18,7 +18,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"CESIUM_primitive_outline", GltfTier::unsupported},
     {"EXT_instance_features", GltfTier::harmless, "metadata"},
     {"EXT_lights_ies", GltfTier::unsupported},
-    {"EXT_lights_image_based", GltfTier::unsupported},
+    {"EXT_lights_image_based", GltfTier::full},
     {"EXT_mesh_features", GltfTier::harmless, "metadata"},
     {"EXT_mesh_gpu_instancing", GltfTier::unsupported},
     {"EXT_mesh_manifold", GltfTier::harmless, "topology of the same triangles"},

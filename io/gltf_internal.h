@@ -196,11 +196,21 @@ std::vector<Affine> global_transforms(const GltfDocument& document, const std::v
 /// Reads the meshes that no node in the scene shows, and forgets them: damage is reported wherever it is.
 void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedNode>& nodes);
 
+/// scenes[] of that index or name; of an empty choice the default scene, else the first; none if the file has none.
+/// Throws InputError as find_choice().
+std::optional<std::size_t> choose_scene(const GltfDocument& document, const std::string& chosen);
+
 /// Adds to the scene what each node carries.
 void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
                    MaterialTable& materials, Warnings& warnings, GeometryCache* cache = nullptr);
 void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
-void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
+void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, LightUnits units,
+                Warnings& warnings);
+
+/// EXT_lights_image_based: the light of the scene that is `chosen` as for place_nodes() becomes Scene::environment; a
+/// scene may have none. Returns the files that were read. Throws InputError for images that make no cube.
+std::vector<std::filesystem::path> add_image_light(const GltfDocument& document, const std::string& chosen,
+                                                   Scene& scene, Warnings& warnings);
 
 /// The whole loader for .gltf and .glb.
 LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options);

@@ -43,10 +43,12 @@ LoadedScene read_document(const GltfDocument& document, const LoadOptions& optio
   const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
   add_instances(document, nodes, loaded.scene, materials, warnings, cache == nullptr ? nullptr : &cache->geometry);
   add_cameras(document, nodes, loaded.scene, warnings);
-  add_lights(document, nodes, loaded.scene, warnings);
+  add_lights(document, nodes, loaded.scene, options.light_units, warnings);
   // Once is enough to find damage that no picture would show.
   if (cache == nullptr) check_unused_meshes(document, nodes);
   loaded.files = document.files();
+  for (std::filesystem::path& file : add_image_light(document, options.scene, loaded.scene, warnings))
+    loaded.files.push_back(std::move(file));
   if (content == Content::all) {
     for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
   }

@@ -80,28 +80,21 @@ std::vector<int> find_parents(const GltfDocument& document) {
   return parents;
 }
 
-std::size_t choose_scene(const GltfDocument& document, const std::string& chosen) {
-  if (chosen.empty()) return static_cast<std::size_t>(std::max(document.model().defaultScene, 0));
-  std::vector<std::string> names;
-  for (const tinygltf::Scene& scene : document.model().scenes) names.push_back(scene.name);
-  return find_choice(document, "scene", names, chosen);
-}
-
 /// Roots of the scene that is shown, in order.
 std::vector<int> find_roots(const GltfDocument& document, const std::vector<int>& parents, const std::string& chosen,
                             Warnings& warnings) {
   const tinygltf::Model& model = document.model();
   std::vector<int> roots;
-  if (model.scenes.empty() && chosen.empty()) {
+  const std::optional<std::size_t> scene = choose_scene(document, chosen);
+  if (!scene) {
     for (std::size_t n = 0; n < parents.size(); ++n) {
       if (parents[n] < 0) roots.push_back(static_cast<int>(n));
     }
     return roots;
   }
-  const std::size_t scene = choose_scene(document, chosen);
-  for (const int node : model.scenes[scene].nodes) {
+  for (const int node : model.scenes[*scene].nodes) {
     if (parents[static_cast<std::size_t>(node)] >= 0) {
-      warnings.add(indexed("scenes", scene) + ".nodes",
+      warnings.add(indexed("scenes", *scene) + ".nodes",
                    "node " + std::to_string(node) + " is not a root; the transforms above it are ignored");
     }
     roots.push_back(node);
@@ -159,6 +152,15 @@ void check_reach(const GltfDocument& document, const Bounds& bounds, const Affin
 }
 
 }  // namespace
+
+std::optional<std::size_t> choose_scene(const GltfDocument& document, const std::string& chosen) {
+  const std::vector<tinygltf::Scene>& scenes = document.model().scenes;
+  if (chosen.empty() && scenes.empty()) return {};
+  if (chosen.empty()) return static_cast<std::size_t>(std::max(document.model().defaultScene, 0));
+  std::vector<std::string> names;
+  for (const tinygltf::Scene& scene : scenes) names.push_back(scene.name);
+  return find_choice(document, "scene", names, chosen);
+}
 
 std::vector<PlacedNode> place_nodes(const GltfDocument& document, const std::string& chosen, Warnings& warnings) {
   const std::vector<tinygltf::Node>& nodes = document.model().nodes;

@@ -84,6 +84,10 @@ class SchemaCheck {
       case Kind::reference_map:
         check_reference_map(value, rule.target, place);
         break;
+      case Kind::number_rows:
+      case Kind::reference_rows:
+        check_rows(value, rule, place);
+        break;
       case Kind::numbers:
       case Kind::references:
       case Kind::reference_maps:
@@ -115,6 +119,15 @@ class SchemaCheck {
         if (rule.kind == Kind::references) check_reference(array[i], rule.target, element);
         if (rule.kind == Kind::reference_maps) check_reference_map(array[i], rule.target, element);
       }
+    }
+  }
+
+  void check_rows(json& rows, const Rule& rule, const std::string& place) const {
+    if (!rows.is_array()) fail(place, "must be an array");
+    const Kind kind = rule.kind == Kind::number_rows ? Kind::numbers : Kind::references;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      check_array(rows[i], {rule.property, kind, rule.target, rule.is_required, rule.length},
+                  place + "[" + std::to_string(i) + "]");
     }
   }
 
@@ -165,9 +178,11 @@ class SchemaCheck {
 
   std::size_t target_size(std::string_view target) const {
     static const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+    static const json::json_pointer image_lights("/extensions/EXT_lights_image_based/lights");
     static const json::json_pointer variants("/extensions/KHR_materials_variants/variants");
     if (target == "lights") return size_at(lights);
     if (target == "variants") return size_at(variants);
+    if (target == "image-based lights") return size_at(image_lights);
     const auto found = root_.find(target);
     return found != root_.end() && found->is_array() ? found->size() : 0;
   }

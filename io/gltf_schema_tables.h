@@ -10,7 +10,7 @@ namespace candil::gltf_schema {
 
 /// What a property must be. `integer` has 31 bits, `size` (of bytes or elements) more. `reference`: an index into the
 /// root array that Rule::target names. `object` and `objects` (an array): of the table that Rule::target names. `word`:
-/// one of those that Rule::target lists.
+/// one of those that Rule::target lists. `..._rows`: arrays in an array.
 enum class Kind {
   boolean,
   integer,
@@ -24,7 +24,9 @@ enum class Kind {
   reference_map,
   reference_maps,
   object,
-  objects
+  objects,
+  number_rows,
+  reference_rows
 };
 
 struct Rule {
@@ -32,7 +34,7 @@ struct Rule {
   Kind kind;
   std::string_view target = {};
   bool is_required = false;
-  std::size_t length = 0;  ///< Of an array of numbers; 0: any.
+  std::size_t length = 0;  ///< Of an array of numbers, or of each row; 0: any.
 };
 
 using Table = std::vector<Rule>;

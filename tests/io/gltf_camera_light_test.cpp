@@ -22,6 +22,18 @@ TEST(GltfCamera, ReadsBothKinds) {
   EXPECT_EQ(cameras[1].aspect, 1.5f);
 }
 
+// Without zfar the projection is infinite; rays have no clipping planes in any case.
+TEST(GltfCamera, ClippingPlanesMeanNothing) {
+  GltfSample sample;
+  sample.cameras = {R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.1}})",
+                    R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"zfar":0.2}})"};
+  sample.nodes = {R"({"camera":0})", R"({"camera":1})"};
+  const LoadedScene loaded = load_sample(sample);
+  ASSERT_EQ(loaded.scene.cameras.size(), 2u);
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.scene.cameras[0].yfov, loaded.scene.cameras[1].yfov);
+}
+
 TEST(GltfCamera, IgnoresThoseThatCanShowNothing) {
   GltfSample sample;
   sample.cameras = {R"({"type":"perspective","perspective":{"yfov":0,"znear":0.1}})",
@@ -106,6 +118,30 @@ TEST(GltfLight, ReadsPunctualLights) {
   EXPECT_EQ(lights[2].intensity, Vec3(1)) << "white and 1 lux by default";
   EXPECT_EQ(lights[2].range, infinity);
   EXPECT_NEAR(glm::length(lights[2].direction - Vec3(1, 0, 0)), 0, 1e-6f);
+}
+
+// A lamp of 1000 W and a sun of 3 W/m2 in Blender, as its exporter writes them. 683 lm/W and 4 pi sr: candela are 683 *
+// 1000 / (4 pi), W/sr 1000 / (4 pi); lux are 683 * 3.
+TEST(GltfLight, KnowsTheUnitsOfBlender) {
+  const auto load = [](const std::string& lamp, const std::string& sun, LightUnits units) {
+    GltfSample sample;
+    sample.root = R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","color":[1,0.5,0],"intensity":)" +
+                  lamp + R"(},{"type":"spot","spot":{},"intensity":)" + lamp + R"(},{"type":"directional","intensity":)" + sun +
+                  "}]}}";
+    for (const char* const light : {"0", "1", "2"})
+      sample.nodes.push_back(R"({"extensions":{"KHR_lights_punctual":{"light":)" + std::string(light) + "}}}");
+    LoadOptions options;
+    options.light_units = units;
+    return load_sample(sample, options).scene.punctual_lights;
+  };
+  for (const auto& lights : {load("54351.413", "2049", LightUnits::spec), load("79.577472", "3", LightUnits::compat),
+                             load("1000", "3", LightUnits::raw)}) {
+    ASSERT_EQ(lights.size(), 3u);
+    EXPECT_NEAR(lights[0].intensity.x, 54351.413f, 0.02f);
+    EXPECT_NEAR(lights[0].intensity.y, 54351.413f / 2, 0.02f);
+    EXPECT_NEAR(lights[1].intensity.x, 54351.413f, 0.02f);
+    EXPECT_NEAR(lights[2].intensity.x, 2049, 1e-3f);
+  }
 }
 
 TEST(GltfLight, ClampsAnglesAndNegativeIntensity) {
