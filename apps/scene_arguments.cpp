@@ -17,6 +17,11 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
       [&](const auto&, const auto& text) { options.animation = text; });
   arguments.add("--at", "SECONDS", "The time in the animation (default 0); it stands still beyond its ends",
                 [&](const auto& option, const auto& text) { options.at = parse_real(option, text, 0, 1e9); });
+  arguments.add("--point-radius", "METRES",
+                "Show points and lines of the glTF file as spheres and tubes of this radius (default: not shown)",
+                [&](const auto& option, const auto& text) {
+                  options.point_radius = static_cast<float>(parse_real(option, text, 1e-9, 1e6));
+                });
 }
 
 }  // namespace candil
