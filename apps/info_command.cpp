@@ -57,6 +57,8 @@ std::string to_json_text(const InfoOptions& options, const LoadedScene& loaded) 
   json["triangles"] = summary.triangles;
   json["instanced_triangles"] = summary.instanced_triangles;
   json["vertices"] = summary.vertices;
+  json["points"] = loaded.thin.points;
+  json["line_segments"] = loaded.thin.lines;
   json["shapes"] = {{"sphere", summary.spheres}, {"disc", summary.discs}, {"plane", summary.planes}};
   json["geometry_bytes"] = summary.geometry_bytes;
   json["bytes_per_triangle"] = summary.bytes_per_triangle();
@@ -135,6 +137,9 @@ std::string to_text(const InfoOptions& options, const LoadedScene& loaded) {
   };
   line("meshes", fmt::format("{}, in {} objects", summary.meshes, summary.objects));
   line("triangles", fmt::format("{} ({} with instances)", summary.triangles, summary.instanced_triangles));
+  if (loaded.thin.points + loaded.thin.lines > 0)
+    line("thin", fmt::format("{} points, {} line segments{}", loaded.thin.points, loaded.thin.lines,
+                             options.load.point_radius > 0 ? ", as triangles" : ", not shown"));
   line("shapes", fmt::format("{} spheres, {} discs, {} planes", summary.spheres, summary.discs, summary.planes));
   line("instances", fmt::format("{}", summary.instances));
   line("geometry",

@@ -32,6 +32,11 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
       "Punctual lights of glTF: spec (candela and lux, default); files that Blender exported otherwise: compat "
       "(Unitless: W/sr, W/m2), raw (W, W/m2)",
       [&](const auto& option, const auto& text) { options.light_units = parse_light_units(option, text); });
+  arguments.add("--point-radius", "METRES",
+                "Show points and lines of the glTF file as spheres and tubes of this radius (default: not shown)",
+                [&](const auto& option, const auto& text) {
+                  options.point_radius = static_cast<float>(parse_real(option, text, 1e-9, 1e6));
+                });
 }
 
 }  // namespace candil

@@ -82,6 +82,9 @@ class AccessorReader {
 
   StridedData base_data() const {
     const std::size_t size = element_bytes(accessor_);
+    if (const Bytes* bytes = document_.compressed_primitives().accessor(index_)) {
+      return {bytes->data(), size, accessor_.count};
+    }
     if (accessor_.bufferView < 0) {
       // A few characters of text would otherwise fill the memory with zeros.
       constexpr std::size_t most_zeros = std::size_t{1} << 26;

@@ -9,6 +9,7 @@
 #include "io/error.h"
 #include "io/gltf_container.h"
 #include "io/gltf_count.h"
+#include "io/gltf_draco.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_schema.h"
 
@@ -111,43 +112,6 @@ const json& array_of(const json& root, const char* property) {
   return found == root.end() ? none : *found;
 }
 
-/// The bytes that buffers[index] declares. `loaded` keeps those that are not part of the file.
-std::span<const std::byte> load_buffer(const json& buffer, std::size_t index, const GltfContainer& container,
-                                       const std::filesystem::path& folder, const std::string& name,
-                                       std::vector<Bytes>& loaded, std::vector<std::filesystem::path>& files) {
-  const std::string place = "buffers[" + std::to_string(index) + "]";
-  std::span<const std::byte> bytes;
-  if (buffer.contains("uri")) {
-    bytes = loaded.emplace_back(
-        read_reference(folder, buffer.at("uri").get_ref<const std::string&>(), name, place + ".uri", files));
-  } else if (index == 0 && container.binary) {
-    bytes = *container.binary;
-  } else {
-    throw InputError(name, place, "has no uri and the file no binary chunk for it");
-  }
-  const auto length = buffer.at("byteLength").get<std::size_t>();
-  if (length > bytes.size()) {
-    throw InputError(name, place + ".byteLength",
-                     "declares " + std::to_string(length) + " bytes, there are " + std::to_string(bytes.size()));
-  }
-  return bytes.first(length);
-}
-
-std::span<const std::byte> slice_buffer(const json& view, std::size_t index,
-                                        const std::vector<std::span<const std::byte>>& buffers,
-                                        const std::string& name) {
-  const auto buffer = view.at("buffer").get<std::size_t>();
-  const auto offset = view.value("byteOffset", std::size_t{0}), length = view.at("byteLength").get<std::size_t>();
-  const std::size_t available = buffers[buffer].size();
-  // Neither exceeds 2^48, hence no overflow.
-  if (offset + length > available) {
-    throw InputError(
-        name, "bufferViews[" + std::to_string(index) + "]",
-        "reads " + std::to_string(offset + length - available) + " bytes beyond buffer " + std::to_string(buffer));
-  }
-  return buffers[buffer].subspan(offset, length);
-}
-
 GltfImageSource read_image_source(const json& image, std::size_t index, const std::string& name) {
   GltfImageSource source;
   source.name = image.value("name", std::string());
@@ -187,6 +151,20 @@ json movable_parts(const json& root) {
     if (root.contains(part)) parts[part] = root.at(part);
   }
   return parts;
+}
+
+/// tinygltf wants a buffer view of every accessor of indices; those of Draco streams may go without. They get the view
+/// of the stream, which nobody will read as indices (see decode_primitives()).
+void lend_views_to_draco_indices(json& root) {
+  if (!root.contains("meshes")) return;
+  for (json& mesh : root.at("meshes")) {
+    for (json& primitive : mesh.at("primitives")) {
+      const json::json_pointer draco("/extensions/KHR_draco_mesh_compression/bufferView");
+      if (!primitive.contains("indices") || !primitive.contains(draco)) continue;
+      json& accessor = root.at("accessors").at(primitive.at("indices").get<std::size_t>());
+      if (!accessor.contains("bufferView")) accessor["bufferView"] = primitive.at(draco);
+    }
+  }
 }
 
 /// What the loader reads through tinygltf: without the parts that hold bytes, and without those candil has no use for.
@@ -235,24 +213,16 @@ GltfDocument::GltfDocument(const std::filesystem::path& path)
   check_gltf_schema(root, name_);
   count_gltf_contents(root, contents_);
 
-  total_bytes_ = file_.size();
-  std::vector<std::span<const std::byte>> buffers;
-  const json& buffer_list = array_of(root, "buffers");
-  loaded_buffers_.reserve(buffer_list.size());  // spans into it must stay valid
-  for (const json& buffer : buffer_list) {
-    buffers.push_back(load_buffer(buffer, buffers.size(), container, folder_, name_, loaded_buffers_, files_));
-    total_bytes_ += buffers.back().size();
-  }
-  for (const json& view : array_of(root, "bufferViews")) {
-    views_.push_back(slice_buffer(view, views_.size(), buffers, name_));
-  }
+  buffers_ = read_gltf_buffers(root, container, folder_, name_, files_);
   for (const json& image : array_of(root, "images")) {
     images_.push_back(read_image_source(image, images_.size(), name_));
   }
   for (const json& animation : array_of(root, "animations")) animations_.push_back(read_animation(animation));
   for (const json& skin : array_of(root, "skins")) skins_.push_back(read_skin(skin));
+  if (has_draco()) lend_views_to_draco_indices(root);
   model_ = parse_model(reduced_json(root), name_);
   movable_ = std::make_unique<json>(animations_.empty() ? json::object() : movable_parts(root));
+  compressed_primitives_ = decode_primitives(*this);
 }
 
 GltfDocument::~GltfDocument() = default;

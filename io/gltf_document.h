@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "io/gltf_buffers.h"
+#include "io/gltf_compressed.h"
 #include "io/gltf_contents.h"
 #include "io/resource.h"
 
@@ -64,10 +66,12 @@ class GltfDocument {
   /// The file itself and those of its buffers.
   const std::vector<std::filesystem::path>& files() const { return files_; }
   const std::vector<GltfImageSource>& images() const { return images_; }
-  /// The bytes of bufferViews[index]; checked to lie in their buffer.
-  std::span<const std::byte> buffer_view(std::size_t index) const { return views_[index]; }
+  /// The bytes of bufferViews[index], decompressed; checked to lie in their buffer.
+  std::span<const std::byte> buffer_view(std::size_t index) const { return buffers_.views[index]; }
   /// All bytes that came with the scene, the measure of how much geometry it may expand to.
-  std::size_t total_bytes() const { return total_bytes_; }
+  std::size_t total_bytes() const { return file_.size() + buffers_.total_bytes; }
+  /// What Draco streams hold in place of accessors and indices.
+  const CompressedPrimitives& compressed_primitives() const { return compressed_primitives_; }
   const std::vector<GltfAnimation>& animations() const { return animations_; }
   const std::vector<GltfSkin>& skins() const { return skins_; }
   const GltfContents& contents() const { return contents_; }
@@ -85,15 +89,14 @@ class GltfDocument {
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> files_;
   Bytes file_;
-  std::vector<Bytes> loaded_buffers_;  // the ones outside of `file_`
-  std::vector<std::span<const std::byte>> views_;
+  GltfBuffers buffers_;
   std::vector<GltfImageSource> images_;
   GltfContents contents_;
   std::vector<GltfSkin> skins_;
   std::vector<GltfAnimation> animations_;
   std::unique_ptr<nlohmann::json> movable_;
-  std::size_t total_bytes_ = 0;
   std::unique_ptr<tinygltf::Model> model_;
+  CompressedPrimitives compressed_primitives_;
 };
 
 }  // namespace candil

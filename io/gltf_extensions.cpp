@@ -10,6 +10,18 @@ namespace candil {
 
 namespace {
 
+// Packages that this build was made without.
+#ifdef CANDIL_HAS_DRACO
+constexpr std::string_view no_draco;
+#else
+constexpr std::string_view no_draco = "libdraco-dev";
+#endif
+#ifdef CANDIL_HAS_MESHOPTIMIZER
+constexpr std::string_view no_meshopt;
+#else
+constexpr std::string_view no_meshopt = "libmeshoptimizer-dev";
+#endif
+
 constexpr std::array table = std::to_array<GltfExtension>({
     {"ADOBE_materials_clearcoat_specular", GltfTier::unsupported},
     {"ADOBE_materials_clearcoat_tint", GltfTier::unsupported},
@@ -20,9 +32,9 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"EXT_lights_ies", GltfTier::unsupported},
     {"EXT_lights_image_based", GltfTier::full},
     {"EXT_mesh_features", GltfTier::harmless, "metadata"},
-    {"EXT_mesh_gpu_instancing", GltfTier::unsupported},
+    {"EXT_mesh_gpu_instancing", GltfTier::full},
     {"EXT_mesh_manifold", GltfTier::harmless, "topology of the same triangles"},
-    {"EXT_meshopt_compression", GltfTier::unsupported},
+    {"EXT_meshopt_compression", GltfTier::full, {}, no_meshopt},
     {"EXT_structural_metadata", GltfTier::harmless, "metadata"},
     {"EXT_texture_avif", GltfTier::full},
     {"EXT_texture_webp", GltfTier::full},
@@ -31,7 +43,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"GODOT_single_root", GltfTier::harmless, "structure"},
     {"GRIFFEL_bim_data", GltfTier::harmless, "metadata"},
     {"KHR_animation_pointer", GltfTier::full},
-    {"KHR_draco_mesh_compression", GltfTier::unsupported},
+    {"KHR_draco_mesh_compression", GltfTier::full, {}, no_draco},
     {"KHR_gaussian_splatting", GltfTier::unsupported},
     {"KHR_interactivity", GltfTier::unsupported, "nothing is run"},
     {"KHR_lights_punctual", GltfTier::full},
@@ -51,7 +63,8 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_materials_volume", GltfTier::full, "rays measure the thickness"},
     {"KHR_materials_volume_scatter", GltfTier::unsupported},
     {"KHR_mesh_quantization", GltfTier::full},
-    {"KHR_meshopt_compression", GltfTier::unsupported},
+    {"KHR_meshopt_compression", GltfTier::partial,
+     "version 1 of the vertex codec with meshoptimizer 0.23 or newer, the filter COLOR with 0.25", no_meshopt},
     {"KHR_node_hoverability", GltfTier::harmless, "interaction"},
     {"KHR_node_selectability", GltfTier::harmless, "interaction"},
     {"KHR_node_visibility", GltfTier::full},
@@ -111,13 +124,14 @@ std::optional<NotHonoured> what_is_not_honoured(const std::string& extension) {
   return NotHonoured{extension, std::string(row.tier_word()) + (explanation.empty() ? "" : ": " + explanation)};
 }
 
-std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents) {
+std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents, bool has_point_radius) {
   std::vector<NotHonoured> parts;
-  const auto add = [&](bool is_there, const char* what, const char* reason) {
-    if (is_there) parts.push_back({what, reason});
+  const auto add = [&](bool is_there, const char* what, const char* why) {
+    if (is_there) parts.push_back({what, why});
   };
-  add(contents.point_primitives > 0, "primitives of points", "unsupported: not shown");
-  add(contents.line_primitives > 0, "primitives of lines", "unsupported: not shown");
+  const char* const reason = "not shown without --point-radius";
+  add(contents.point_primitives > 0 && !has_point_radius, "primitives of points", reason);
+  add(contents.line_primitives > 0 && !has_point_radius, "primitives of lines", reason);
   return parts;
 }
 

@@ -47,7 +47,7 @@ bool is_harmless_gltf_extension(std::string_view extension);
 std::optional<NotHonoured> what_is_not_honoured(const std::string& extension);
 
 /// What pictures lack beside extensions.
-std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents);
+std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents, bool has_point_radius);
 
 /// Throws InputError(name, "extensionsRequired", ...) that names every extension that is neither of the two.
 void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name);

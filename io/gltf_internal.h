@@ -152,22 +152,32 @@ struct GeometryCache {
   std::map<Key, Entry> primitives;
 };
 
-/// meshes[i] as one object: its triangle primitives are appended to Scene::meshes.
+/// meshes[i] as one object: its primitives are appended to Scene::meshes, those of points and lines if they are to have
+/// a radius (metres; 0: they have none).
 class MeshReader {
  public:
   /// What `cache` (null: none) has is not read again.
   MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings,
-             GeometryCache* cache = nullptr);
+             float point_radius = 0, GeometryCache* cache = nullptr);
 
-  /// Throws InputError for anything in it that cannot be read.
-  Object read(std::size_t index, const Deformation& deformation);
+  /// True if the object depends on the linear part of the transform that it will be shown with: points and lines are as
+  /// thick in all.
+  bool is_thick(std::size_t index) const;
+
+  /// `to_world` is of no account unless is_thick(). Throws InputError for anything in it that cannot be read.
+  Object read(std::size_t index, const Deformation& deformation, const Mat3& to_world = Mat3(1.0f));
+
+  /// Of all objects so far.
+  ThinCounts thin_counts() const { return thin_counts_; }
 
  private:
   const GltfDocument& document_;
   Scene& scene_;
   MaterialTable& materials_;
   Warnings& warnings_;
+  float point_radius_;
   GeometryCache* cache_;
+  ThinCounts thin_counts_;
   std::size_t bytes_left_;  // of geometry, before a file is taken for hostile
 };
 
@@ -200,9 +210,17 @@ void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedN
 /// Throws InputError as find_choice().
 std::optional<std::size_t> choose_scene(const GltfDocument& document, const std::string& chosen);
 
-/// Adds to the scene what each node carries.
-void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
-                   MaterialTable& materials, Warnings& warnings, GeometryCache* cache = nullptr);
+/// The most instances of EXT_mesh_gpu_instancing in one scene: what fits into 1 GB.
+inline constexpr std::size_t most_gpu_instances = std::size_t{1} << 21;
+
+/// EXT_mesh_gpu_instancing: where the copies of nodes[node].mesh stand in the space of the node; without the extension
+/// there is one, where the node is. Throws InputError, also for more than `instances_left`, which it counts down.
+std::vector<Affine> instance_transforms(const GltfDocument& document, std::size_t node, std::size_t& instances_left);
+
+/// Adds to the scene what each node carries. Points and lines get the radius (metres), if it is not 0.
+ThinCounts add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
+                         MaterialTable& materials, Warnings& warnings, float point_radius,
+                         GeometryCache* cache = nullptr);
 void add_cameras(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, Warnings& warnings);
 void add_lights(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene, LightUnits units,
                 Warnings& warnings);

@@ -13,7 +13,8 @@ namespace candil {
 namespace {
 
 /// One line for everything in the file that the picture will lack.
-void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warnings& warnings) {
+void report_unsupported(const GltfDocument& document, const LoadOptions& options, LoadedScene& loaded,
+                        Warnings& warnings) {
   loaded.contents = document.contents();
   for (const std::string& extension : loaded.contents.extensions_used) {
     if (const auto not_honoured = what_is_not_honoured(extension)) loaded.not_honoured.push_back(*not_honoured);
@@ -21,7 +22,8 @@ void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warni
     loaded.extensions_unsupported.push_back(extension);
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
-  for (NotHonoured& part : parts_not_honoured(loaded.contents)) loaded.not_honoured.push_back(std::move(part));
+  for (NotHonoured& part : parts_not_honoured(loaded.contents, options.point_radius > 0))
+    loaded.not_honoured.push_back(std::move(part));
 }
 
 /// What is kept of a file between two times.
@@ -36,12 +38,13 @@ enum class Content { all, without_images };
 LoadedScene read_document(const GltfDocument& document, const LoadOptions& options, Content content, GltfCache* cache,
                           Warnings& warnings) {
   LoadedScene loaded;
-  report_unsupported(document, loaded, warnings);
+  report_unsupported(document, options, loaded, warnings);
   loaded.animations = list_animations(document);
   TextureTable textures(document, loaded.scene, warnings, cache == nullptr ? nullptr : &cache->images);
   MaterialTable materials(document, loaded.scene, textures, warnings, choose_variant(document, options.variant));
   const std::vector<PlacedNode> nodes = place_nodes(document, options.scene, warnings);
-  add_instances(document, nodes, loaded.scene, materials, warnings, cache == nullptr ? nullptr : &cache->geometry);
+  loaded.thin = add_instances(document, nodes, loaded.scene, materials, warnings, options.point_radius,
+                              cache == nullptr ? nullptr : &cache->geometry);
   add_cameras(document, nodes, loaded.scene, warnings);
   add_lights(document, nodes, loaded.scene, options.light_units, warnings);
   // Once is enough to find damage that no picture would show.

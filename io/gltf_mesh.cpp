@@ -2,12 +2,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "io/gltf_accessor.h"
 #include "io/gltf_deform.h"
 #include "io/gltf_geometry.h"
 #include "io/gltf_internal.h"
+#include "io/gltf_thick.h"
 #include "io/gltf_tinygltf.h"
 #include "io/tangents.h"
 
@@ -17,6 +19,22 @@ namespace {
 
 constexpr std::size_t bytes_per_vertex = 60, bytes_per_triangle = 120;
 
+/// Nothing for triangles of any kind.
+std::optional<ThinMode> thin_mode_of(const tinygltf::Primitive& primitive) {
+  switch (primitive.mode) {
+    case TINYGLTF_MODE_POINTS:
+      return ThinMode::points;
+    case TINYGLTF_MODE_LINE:
+      return ThinMode::lines;
+    case TINYGLTF_MODE_LINE_STRIP:
+      return ThinMode::line_strip;
+    case TINYGLTF_MODE_LINE_LOOP:
+      return ThinMode::line_loop;
+    default:
+      return {};
+  }
+}
+
 /// Reads one primitive; the vertices it does not use are left out.
 class PrimitiveReader {
  public:
@@ -24,10 +42,19 @@ class PrimitiveReader {
                   Warnings& warnings)
       : document_(document), primitive_(primitive), place_(std::move(place)), warnings_(warnings) {}
 
+  /// Points and segments of lines, however they will be shown.
+  ThinCounts thin_counts() const {
+    const std::optional<ThinMode> mode = thin_mode_of(primitive_);
+    const int positions = attribute("POSITION");
+    if (!mode || positions < 0) return {};
+    const std::size_t count = thin_count(*mode, corner_count(accessor_count(document_, positions)));
+    return *mode == ThinMode::points ? ThinCounts{count, 0} : ThinCounts{0, count};
+  }
+
   /// Triangles, vertices and all attributes but tangents, as in the file; nothing (and a warning) if there is nothing
-  /// to show. `bytes_left` is what the file may still expand to.
-  std::optional<Mesh> read(std::size_t& bytes_left) {
-    const std::optional<TriangleMode> mode = triangle_mode();
+  /// to show. `is_thin`: points and lines, as make_thin() has them. `bytes_left` is what the file may still expand to.
+  std::optional<Mesh> read(bool is_thin, std::size_t& bytes_left) {
+    const std::optional<TriangleMode> mode = is_thin ? TriangleMode::list : triangle_mode();
     const int positions = attribute("POSITION");
     if (!mode || positions < 0) {
       if (mode) warnings_.add(place_, "has no POSITION, it is not shown");
@@ -36,15 +63,15 @@ class PrimitiveReader {
     selection_.accessor_count = accessor_count(document_, positions);
     if (selection_.accessor_count >= invalid_id) document_.fail(place_, "has too many vertices");
     Mesh mesh;
-    mesh.triangles = assemble_triangles(*mode, bytes_left);
+    mesh.triangles = is_thin ? assemble_thin(bytes_left) : assemble_triangles(*mode, bytes_left);
     if (mesh.triangles.empty()) {
-      warnings_.add(place_, "has no triangles");
+      warnings_.add(place_, is_thin ? "has no points or lines" : "has no triangles");
       return {};
     }
     selection_ = select_vertices(mesh.triangles, selection_.accessor_count);
     charge(selection_.size() * bytes_per_vertex, bytes_left);
     mesh.positions = read_vec3(document_, positions, selection_, attribute_place("POSITION"));
-    if (const int index = attribute("NORMAL"); index >= 0) {
+    if (const int index = attribute("NORMAL"); index >= 0 && !is_thin) {
       mesh.normals = read_vec3(document_, index, selection_, attribute_place("NORMAL"));
     }
     for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
@@ -73,6 +100,16 @@ class PrimitiveReader {
   void reuse(const Mesh& mesh, const VertexSelection& selection, std::size_t& bytes_left) {
     selection_ = selection;
     charge(mesh.triangles.size() * bytes_per_triangle + selection_.size() * bytes_per_vertex, bytes_left);
+  }
+
+  /// Makes points and lines of this radius in metres out of thin ones.
+  void thicken(float radius, const Mat3& to_world, Mesh& mesh, std::size_t& bytes_left) const {
+    const std::size_t segments = *thin_mode_of(primitive_) == ThinMode::points ? 0 : mesh.triangles.size();
+    const ThickDetail detail = choose_thick_detail(mesh.positions.size(), segments);
+    charge(detail.triangles * bytes_per_triangle + detail.vertices * bytes_per_vertex, bytes_left);
+    if (detail.vertices >= invalid_id || detail.triangles >= invalid_id)
+      document_.fail(place_, "has too many vertices");
+    make_thick(mesh, radius, to_world, detail);
   }
 
   void bend(const Deformation& deformation, Mesh& mesh) const { deform(source(), deformation, mesh, warnings_); }
@@ -113,29 +150,50 @@ class PrimitiveReader {
       case TINYGLTF_MODE_TRIANGLE_FAN:
         return TriangleMode::fan;
       case TINYGLTF_MODE_POINTS:
-        warnings_.add("primitives of points are not supported and not shown");
+        warnings_.add("primitives of points are not shown; --point-radius METRES shows them as spheres");
         return {};
       case TINYGLTF_MODE_LINE:
       case TINYGLTF_MODE_LINE_LOOP:
       case TINYGLTF_MODE_LINE_STRIP:
-        warnings_.add("primitives of lines are not supported and not shown");
+        warnings_.add("primitives of lines are not shown; --point-radius METRES shows them as tubes");
         return {};
       default:
         document_.fail(place_ + ".mode", std::to_string(primitive_.mode) + " is not a mode of glTF");
     }
   }
 
+  std::size_t corner_count(std::size_t vertex_count) const {
+    return primitive_.indices >= 0 ? accessor_count(document_, primitive_.indices) : vertex_count;
+  }
+
+  std::vector<Triangle> assemble_thin(std::size_t& bytes_left) {
+    const std::size_t count = corner_count(selection_.accessor_count);
+    if (count >= invalid_id) document_.fail(place_, "has too many points or lines");
+    charge(count * bytes_per_triangle, bytes_left);
+    std::vector<std::uint32_t> corners;
+    if (primitive_.indices >= 0) {
+      corners = read_indices(document_, primitive_.indices, selection_.accessor_count, place_ + ".indices");
+    } else {
+      corners.resize(count);
+      std::iota(corners.begin(), corners.end(), 0u);
+    }
+    return make_thin(*thin_mode_of(primitive_), corners);
+  }
+
   std::vector<Triangle> assemble_triangles(TriangleMode mode, std::size_t& bytes_left) {
+    if (const std::vector<Triangle>* decoded = document_.compressed_primitives().triangles(primitive_)) {
+      charge(decoded->size() * bytes_per_triangle, bytes_left);
+      return *decoded;  // whatever the mode
+    }
     const bool is_indexed = primitive_.indices >= 0;
-    const std::size_t corner_count =
-        is_indexed ? accessor_count(document_, primitive_.indices) : selection_.accessor_count;
-    const std::size_t triangles = triangle_count(mode, corner_count);
+    const std::size_t corners = corner_count(selection_.accessor_count);
+    const std::size_t triangles = triangle_count(mode, corners);
     if (triangles >= invalid_id) document_.fail(place_, "has too many triangles");
     charge(triangles * bytes_per_triangle, bytes_left);
-    if (mode == TriangleMode::list && corner_count % 3 != 0) {
+    if (mode == TriangleMode::list && corners % 3 != 0) {
       warnings_.add(place_, "its number of corners is no multiple of 3, the last ones are ignored");
     }
-    if (!is_indexed) return make_triangles(mode, corner_count);
+    if (!is_indexed) return make_triangles(mode, corners);
     return make_triangles(mode,
                           read_indices(document_, primitive_.indices, selection_.accessor_count, place_ + ".indices"));
   }
@@ -206,13 +264,23 @@ const TextureSlot* slot_of_tangents(const Material& material) {
 }  // namespace
 
 MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings,
-                       GeometryCache* cache)
-    : document_(document), scene_(scene), materials_(materials), warnings_(warnings), cache_(cache) {
+                       float point_radius, GeometryCache* cache)
+    : document_(document),
+      scene_(scene),
+      materials_(materials),
+      warnings_(warnings),
+      point_radius_(point_radius),
+      cache_(cache) {
   constexpr std::size_t least = std::size_t{2} << 30, factor = 64;
   bytes_left_ = std::max(least, factor * document.total_bytes());
 }
 
-Object MeshReader::read(std::size_t index, const Deformation& deformation) {
+bool MeshReader::is_thick(std::size_t index) const {
+  const std::vector<tinygltf::Primitive>& primitives = document_.model().meshes[index].primitives;
+  return point_radius_ > 0 && std::any_of(primitives.begin(), primitives.end(), thin_mode_of);
+}
+
+Object MeshReader::read(std::size_t index, const Deformation& deformation, const Mat3& to_world) {
   const tinygltf::Mesh& source = document_.model().meshes[index];
   const std::string mesh_place = indexed("meshes", index);
   Object object{source.name.empty() ? mesh_place : kept_name(source.name),
@@ -221,10 +289,13 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation) {
     const tinygltf::Primitive& primitive = source.primitives[p];
     const std::string place = mesh_place + "." + indexed("primitives", p);
     PrimitiveReader reader(document_, primitive, place, warnings_);
+    const ThinCounts thin = reader.thin_counts();
+    thin_counts_.points += thin.points, thin_counts_.lines += thin.lines;
+    const bool is_thick = point_radius_ > 0 && thin_mode_of(primitive);
     GeometryCache::Entry* const kept =
-        cache_ == nullptr ? nullptr : &cache_->primitives[{index, p, deformation.is_none()}];
+        cache_ == nullptr || is_thick ? nullptr : &cache_->primitives[{index, p, deformation.is_none()}];
     const bool is_known = kept != nullptr && kept->is_read;
-    std::optional<Mesh> mesh = is_known ? kept->mesh : reader.read(bytes_left_);
+    std::optional<Mesh> mesh = is_known ? kept->mesh : reader.read(is_thick, bytes_left_);
     if (kept != nullptr) kept->is_read = true;
     if (!mesh) continue;
     mesh->name = object.name;
@@ -234,7 +305,7 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation) {
     const TextureSlot* const slot = slot_of_tangents(material);
     if (is_known) {
       reader.reuse(*mesh, kept->selection, bytes_left_);
-    } else if (slot != nullptr) {
+    } else if (slot != nullptr && !is_thick) {
       reader.read_tangents(*mesh);
     }
     // What does not move is kept ready for use, what does as it is in the file.
@@ -242,6 +313,7 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation) {
     if (!is_known || !deformation.is_none()) {
       reader.bend(deformation, *mesh);
       reader.repair(*mesh);
+      if (is_thick) reader.thicken(point_radius_, to_world, *mesh, bytes_left_);
       if (slot != nullptr && mesh->tangents.empty() && !mesh->uvs[slot->uv_set].empty()) {
         generate_tangents(*mesh, *slot);
       }

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "io/gltf_internal.h"
@@ -140,6 +142,12 @@ class DeformationReader {
   std::map<std::size_t, std::vector<Affine>> joints_;
 };
 
+std::array<float, 9> elements_of(const Mat3& matrix) {
+  std::array<float, 9> elements;
+  for (int i = 0; i < 9; ++i) elements[static_cast<std::size_t>(i)] = matrix[i / 3][i % 3];
+  return elements;
+}
+
 void check_reach(const GltfDocument& document, const Bounds& bounds, const Affine& to_world, std::size_t node) {
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p =
@@ -214,36 +222,48 @@ std::vector<Affine> global_transforms(const GltfDocument& document, const std::v
   return to_world;
 }
 
-void add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
-                   MaterialTable& materials, Warnings& warnings, GeometryCache* cache) {
+ThinCounts add_instances(const GltfDocument& document, const std::vector<PlacedNode>& nodes, Scene& scene,
+                         MaterialTable& materials, Warnings& warnings, float point_radius, GeometryCache* cache) {
   const tinygltf::Model& model = document.model();
-  MeshReader reader(document, scene, materials, warnings, cache);
+  MeshReader reader(document, scene, materials, warnings, point_radius, cache);
   DeformationReader deformations(document, nodes, warnings);
-  // A mesh with the weights of its morph targets to Scene::objects. Skins bend it for each node anew.
-  std::map<std::pair<int, std::vector<float>>, std::uint32_t> objects;
+  // A mesh, the weights of its morph targets and what its shape depends on of the transform, to Scene::objects. Skins
+  // bend it for each node anew.
+  std::map<std::tuple<int, std::vector<float>, std::array<float, 9>>, std::uint32_t> objects;
   std::vector<Bounds> bounds;  // of each object
+  std::size_t instances_left = most_gpu_instances;
   for (const PlacedNode& placed : nodes) {
     const tinygltf::Node& node = model.nodes[placed.node];
     if (node.mesh < 0 || !placed.is_visible) continue;
+    const auto mesh = static_cast<std::size_t>(node.mesh);
     const Deformation deformation = deformations.read(placed);
     const bool is_skinned = deformation.joints != nullptr;
-    auto object = static_cast<std::uint32_t>(scene.objects.size());
-    if (!is_skinned) object = objects.try_emplace({node.mesh, deformation.weights}, object).first->second;
-    if (object == scene.objects.size()) {
-      scene.objects.push_back(reader.read(static_cast<std::size_t>(node.mesh), deformation));
-      bounds.push_back(object_bounds(scene, scene.objects.back()));
+    const std::string place = indexed("nodes", placed.node), name = node.name.empty() ? place : kept_name(node.name);
+    // Joints place a skinned mesh, its node does not (specification, section 3.7.3.1), nor do instances.
+    const std::vector<Affine> in_node =
+        is_skinned ? std::vector<Affine>(1) : instance_transforms(document, placed.node, instances_left);
+    for (const Affine& instance : in_node) {
+      const Affine to_world = is_skinned ? Affine{} : placed.to_world * instance;
+      // What cannot be entered is not shown.
+      const Mat3 linear = reader.is_thick(mesh) && can_be_entered(to_world) ? to_world.linear : Mat3(1.0f);
+      auto object = static_cast<std::uint32_t>(scene.objects.size());
+      if (!is_skinned) {
+        object = objects.try_emplace({node.mesh, deformation.weights, elements_of(linear)}, object).first->second;
+      }
+      if (object == scene.objects.size()) {
+        scene.objects.push_back(reader.read(mesh, deformation, linear));
+        bounds.push_back(object_bounds(scene, scene.objects.back()));
+      }
+      if (scene.objects[object].mesh_count == 0) continue;
+      check_reach(document, bounds[object], to_world, placed.node);
+      if (can_be_entered(to_world)) {
+        scene.instances.push_back({name, object, to_world});
+      } else {
+        warnings.add(place, "is scaled to nothing in some direction; its mesh is not shown");
+      }
     }
-    if (scene.objects[object].mesh_count == 0) continue;
-    // Joints place a skinned mesh, its node does not (specification, section 3.7.3.1).
-    const Affine to_world = is_skinned ? Affine{} : placed.to_world;
-    check_reach(document, bounds[object], to_world, placed.node);
-    if (!can_be_entered(to_world)) {
-      warnings.add(indexed("nodes", placed.node), "is scaled to nothing in some direction; its mesh is not shown");
-      continue;
-    }
-    const std::string name = node.name.empty() ? indexed("nodes", placed.node) : kept_name(node.name);
-    scene.instances.push_back({name, object, to_world});
   }
+  return reader.thin_counts();
 }
 
 void check_unused_meshes(const GltfDocument& document, const std::vector<PlacedNode>& nodes) {

@@ -63,6 +63,9 @@ class SchemaCheck {
       case Kind::integer:
         check_integer(value, place, std::numeric_limits<std::int32_t>::max());
         break;
+      case Kind::integer_map:
+        check_integer_map(value, place);
+        break;
       case Kind::size:
         check_integer(value, place, std::uint64_t{1} << 48);
         break;
@@ -135,6 +138,13 @@ class SchemaCheck {
     if (!map.is_object()) fail(place, "must be an object");
     for (auto& [semantic, reference] : map.items()) {
       check_reference(reference, target, joined(place, printable(semantic)));
+    }
+  }
+
+  void check_integer_map(json& map, const std::string& place) const {
+    if (!map.is_object()) fail(place, "must be an object");
+    for (auto& [name, value] : map.items()) {
+      check_integer(value, joined(place, printable(name)), std::numeric_limits<std::int32_t>::max());
     }
   }
 

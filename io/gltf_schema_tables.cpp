@@ -6,6 +6,16 @@ namespace {
 
 constexpr bool required = true;
 
+Table meshopt_view(std::string_view filters) {
+  return {{"buffer", Kind::reference, "buffers", required},
+          {"byteOffset", Kind::size},
+          {"byteLength", Kind::size, {}, required},
+          {"byteStride", Kind::integer, {}, required},
+          {"count", Kind::size, {}, required},
+          {"mode", Kind::word, "ATTRIBUTES TRIANGLES INDICES", required},
+          {"filter", Kind::word, filters}};
+}
+
 }  // namespace
 
 /// The specification's "Properties Reference" (appendix A) and the property tables of the supported extensions.
@@ -85,14 +95,28 @@ const std::map<std::string_view, Table>& tables() {
        {{"input", Kind::reference, "accessors", required},
         {"interpolation", Kind::string},
         {"output", Kind::reference, "accessors", required}}},
-      {"buffer", {{"uri", Kind::string}, {"byteLength", Kind::size, {}, required}, {"name", Kind::string}}},
+      {"buffer",
+       {{"uri", Kind::string},
+        {"byteLength", Kind::size, {}, required},
+        {"name", Kind::string},
+        {"extensions", Kind::object, "buffer extensions"}}},
+      {"buffer extensions",
+       {{"EXT_meshopt_compression", Kind::object, "meshopt buffer"},
+        {"KHR_meshopt_compression", Kind::object, "meshopt buffer"}}},
+      {"meshopt buffer", {{"fallback", Kind::boolean}}},
       {"bufferView",
        {{"buffer", Kind::reference, "buffers", required},
         {"byteOffset", Kind::size},
         {"byteLength", Kind::size, {}, required},
         {"byteStride", Kind::integer},
         {"target", Kind::integer},
-        {"name", Kind::string}}},
+        {"name", Kind::string},
+        {"extensions", Kind::object, "bufferView extensions"}}},
+      {"bufferView extensions",
+       {{"EXT_meshopt_compression", Kind::object, "EXT_meshopt_compression"},
+        {"KHR_meshopt_compression", Kind::object, "KHR_meshopt_compression"}}},
+      {"EXT_meshopt_compression", meshopt_view("NONE OCTAHEDRAL QUATERNION EXPONENTIAL")},
+      {"KHR_meshopt_compression", meshopt_view("NONE OCTAHEDRAL QUATERNION EXPONENTIAL COLOR")},
       {"camera",
        {{"type", Kind::word, "perspective orthographic", required},
         {"name", Kind::string},
@@ -218,7 +242,11 @@ const std::map<std::string_view, Table>& tables() {
         {"mode", Kind::integer},
         {"targets", Kind::reference_maps, "accessors"},
         {"extensions", Kind::object, "primitive extensions"}}},
-      {"primitive extensions", {{"KHR_materials_variants", Kind::object, "variant mappings"}}},
+      {"primitive extensions",
+       {{"KHR_draco_mesh_compression", Kind::object, "draco"},
+        {"KHR_materials_variants", Kind::object, "variant mappings"}}},
+      {"draco",
+       {{"bufferView", Kind::reference, "bufferViews", required}, {"attributes", Kind::integer_map, {}, required}}},
       {"variant mappings", {{"mappings", Kind::objects, "variant mapping", required}}},
       {"variant mapping",
        {{"variants", Kind::references, "variants", required}, {"material", Kind::reference, "materials", required}}},
@@ -235,7 +263,10 @@ const std::map<std::string_view, Table>& tables() {
         {"name", Kind::string},
         {"extensions", Kind::object, "node extensions"}}},
       {"node extensions",
-       {{"KHR_lights_punctual", Kind::object, "node light"}, {"KHR_node_visibility", Kind::object, "visibility"}}},
+       {{"EXT_mesh_gpu_instancing", Kind::object, "instancing"},
+        {"KHR_lights_punctual", Kind::object, "node light"},
+        {"KHR_node_visibility", Kind::object, "visibility"}}},
+      {"instancing", {{"attributes", Kind::reference_map, "accessors"}}},
       {"node light", {{"light", Kind::reference, "lights", required}}},
       {"visibility", {{"visible", Kind::boolean}}},
       {"sampler",

@@ -8,12 +8,13 @@
 
 namespace candil::gltf_schema {
 
-/// What a property must be. `integer` has 31 bits, `size` (of bytes or elements) more. `reference`: an index into the
-/// root array that Rule::target names. `object` and `objects` (an array): of the table that Rule::target names. `word`:
-/// one of those that Rule::target lists. `..._rows`: arrays in an array.
+/// What a property must be. `integer` has 31 bits, `size` (of bytes or elements) more; `integer_map` has integers under
+/// any names. `reference`: an index into the root array that Rule::target names. `object` and `objects` (an array): of
+/// the table that Rule::target names. `word`: one of those that Rule::target lists. `..._rows`: arrays in an array.
 enum class Kind {
   boolean,
   integer,
+  integer_map,
   size,
   number,
   string,

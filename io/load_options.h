@@ -21,6 +21,7 @@ struct LoadOptions {
   std::string animation;     ///< Of animations[], or "all"; see is_animated().
   std::optional<double> at;  ///< The time in the animation, seconds; 0 if only the animation is chosen.
   LightUnits light_units = LightUnits::spec;
+  float point_radius = 0;    ///< Of primitives of points and lines, metres; 0: they are not shown.
 
   /// Otherwise the file is shown in its rest pose: as it stores its nodes, weights and materials.
   bool is_animated() const { return at.has_value() || !animation.empty(); }

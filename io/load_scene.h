@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -28,12 +29,18 @@ struct AnimationSummary {
   double seconds = 0;  ///< From 0 to its last key.
 };
 
+/// Points and segments of lines in glTF primitives, once per object.
+struct ThinCounts {
+  std::size_t points = 0, lines = 0;
+};
+
 struct LoadedScene {
   Scene scene;                        ///< Baked (bake_single_instances()) and valid: renderers need no further check.
   std::vector<std::string> warnings;  ///< One line each; oddities that do not stop a render.
   GltfContents contents;              ///< Of the file; of a JSON scene, the extensions of its glTF files.
   std::vector<NotHonoured> not_honoured;            ///< Of the contents.
   std::vector<std::string> extensions_unsupported;  ///< Those that were ignored and could change the picture.
+  ThinCounts thin;                                  ///< Shown only with LoadOptions::point_radius.
   std::vector<std::filesystem::path> files;         ///< All that were read, for programs that must not replace them.
   std::vector<AnimationSummary> animations;         ///< That the file has.
   RenderDefaults render_defaults;                   ///< Of a JSON scene.

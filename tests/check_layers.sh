@@ -29,6 +29,8 @@ done
 for folder in materials integrators io metrics apps; do
   forbid "$folder" '(embree[34]/|core/embree_)' 'only core/ sees Embree'
 done
+forbid io 'draco/' 'of io/ only gltf_draco.cpp sees Draco' --exclude='gltf_draco.cpp'
+forbid io 'meshoptimizer' 'of io/ only gltf_meshopt.cpp sees meshoptimizer' --exclude='gltf_meshopt.cpp'
 forbid bench '(embree[34]/|core/embree_)' 'of bench/ only bare_embree.cpp sees Embree' --exclude='bare_embree.cpp'
 forbid core 'embree[34]/' 'only core/embree_* see Embree' --exclude='embree_*'
 

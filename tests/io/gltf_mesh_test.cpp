@@ -47,8 +47,11 @@ TEST(GltfMesh, PointsAndLinesAreSkippedWithOneWarningEach) {
   const LoadedScene loaded = load_sample(sample);
   EXPECT_TRUE(loaded.scene.meshes.empty());
   EXPECT_TRUE(loaded.scene.instances.empty());
-  EXPECT_EQ(loaded.warnings, (std::vector<std::string>{"primitives of points are not supported and not shown",
-                                                       "primitives of lines are not supported and not shown"}));
+  EXPECT_EQ(loaded.warnings,
+            (std::vector<std::string>{"primitives of points are not shown; --point-radius METRES shows them as spheres",
+                                      "primitives of lines are not shown; --point-radius METRES shows them as tubes"}));
+  EXPECT_EQ(loaded.thin.points, 6u);
+  EXPECT_EQ(loaded.thin.lines, 1u + 3u + 2u) << "a line (and a vertex left over), a loop of three, a strip of two";
   sample.add_triangle("", ",\"mode\":7");
   EXPECT_EQ(load_error(sample), "model.gltf: meshes[5].primitives[0].mode: 7 is not a mode of glTF");
 }
