@@ -79,7 +79,8 @@ GgxAlbedo::Split BasicOpaqueLobes<Facets>::single_scattering(Vec3 w) const {
   return {1 - schlick, schlick};
 }
 
-Vec3 OpaqueLobes::reflectance(float cosine) const {
+template <typename Facets>
+Vec3 BasicOpaqueLobes<Facets>::reflectance(float cosine) const {
   if constexpr (Facets::is_extended) {
     if (film_) return film_->reflectance(cosine);
   }
@@ -103,7 +104,8 @@ float BasicOpaqueLobes<Facets>::left_by_coat(Vec3 w, const GgxAlbedo::Split& sin
 }
 
 /// Base and multiple scattering: everything that is sampled by the cosine. Without the factor cos / pi.
-Vec3 OpaqueLobes::diffuse_like(Vec3 wi) const {
+template <typename Facets>
+Vec3 BasicOpaqueLobes<Facets>::diffuse_like(Vec3 wi) const {
   if (!has_specular_) return diffuse_;
   const GgxAlbedo::Split single = single_scattering(wi);
   const Vec3 base = diffuse_ * left_by_coat(wi, single);
