@@ -47,14 +47,17 @@ std::string accessor_text(int accessor) { return "accessor " + std::to_string(ac
 
 std::vector<AnimationSummary> list_animations(const GltfDocument& document) {
   std::vector<AnimationSummary> list;
+  std::map<int, double> ends;  // by accessor
   for (std::size_t a = 0; a < document.animations().size(); ++a) {
     const GltfAnimation& animation = document.animations()[a];
     AnimationSummary summary{animation.name, 0};
     for (const GltfAnimationSampler& sampler : animation.samplers) {
+      const auto [end, is_new] = ends.try_emplace(sampler.input);
       const std::size_t count = accessor_count(document, sampler.input);
-      if (count == 0 || accessor_kind(document, sampler.input).type != "SCALAR") continue;
-      const double last = read_floats(document, sampler.input, count - 1, 1, indexed("animations", a)).front();
-      if (std::isfinite(last)) summary.seconds = std::max(summary.seconds, last);
+      if (is_new && count > 0 && accessor_kind(document, sampler.input).type == "SCALAR") {
+        end->second = read_floats(document, sampler.input, count - 1, 1, indexed("animations", a)).front();
+      }
+      if (std::isfinite(end->second)) summary.seconds = std::max(summary.seconds, end->second);
     }
     list.push_back(std::move(summary));
   }

@@ -141,6 +141,7 @@ class MaterialTable {
 struct GeometryCache {
   struct Entry {
     bool is_read = false;
+    TextureSlot tangent_slot;  ///< That its tangents are for; unused: it has none.
     std::optional<Mesh> mesh;  ///< Nothing if the primitive shows nothing.
     VertexSelection selection;
   };

@@ -18,6 +18,7 @@ namespace candil {
 namespace {
 
 constexpr std::size_t bytes_per_vertex = 60, bytes_per_triangle = 120;
+constexpr std::size_t bytes_per_displacement = 12, bytes_per_influence = 32;
 
 /// Nothing for triangles of any kind.
 std::optional<ThinMode> thin_mode_of(const tinygltf::Primitive& primitive) {
@@ -99,7 +100,7 @@ class PrimitiveReader {
   /// Pays for one more copy of a mesh that was read before, with these vertices.
   void reuse(const Mesh& mesh, const VertexSelection& selection, std::size_t& bytes_left) {
     selection_ = selection;
-    charge(mesh.triangles.size() * bytes_per_triangle + selection_.size() * bytes_per_vertex, bytes_left);
+    charge(mesh.triangles.size() * bytes_per_triangle + mesh.positions.size() * bytes_per_vertex, bytes_left);
   }
 
   /// Makes points and lines of this radius in metres out of thin ones.
@@ -112,7 +113,16 @@ class PrimitiveReader {
     make_thick(mesh, radius, to_world, detail);
   }
 
-  void bend(const Deformation& deformation, Mesh& mesh) const { deform(source(), deformation, mesh, warnings_); }
+  void bend(const Deformation& deformation, Mesh& mesh, std::size_t& bytes_left) const {
+    // What is read for it counts as well: a file must not ask for years of work in a few lines.
+    for (const float weight : deformation.weights) {
+      if (weight != 0) charge(selection_.size() * bytes_per_displacement, bytes_left);
+    }
+    for (const auto& [semantic, accessor] : primitive_.attributes) {
+      if (semantic.starts_with("JOINTS_")) charge(selection_.size() * bytes_per_influence, bytes_left);
+    }
+    deform(source(), deformation, mesh, warnings_);
+  }
 
   /// Makes the attributes such that renderers can rely on them.
   void repair(Mesh& mesh) const {
@@ -261,6 +271,10 @@ const TextureSlot* slot_of_tangents(const Material& material) {
   return more.anisotropy > 0 ? &more.anisotropy_texture : nullptr;
 }
 
+bool has_same_coordinates(const TextureSlot& a, const TextureSlot& b) {
+  return a.is_used() == b.is_used() && a.uv_set == b.uv_set && a.row_u == b.row_u && a.row_v == b.row_v;
+}
+
 }  // namespace
 
 MeshReader::MeshReader(const GltfDocument& document, Scene& scene, MaterialTable& materials, Warnings& warnings,
@@ -294,31 +308,38 @@ Object MeshReader::read(std::size_t index, const Deformation& deformation, const
     const bool is_thick = point_radius_ > 0 && thin_mode_of(primitive);
     GeometryCache::Entry* const kept =
         cache_ == nullptr || is_thick ? nullptr : &cache_->primitives[{index, p, deformation.is_none()}];
-    const bool is_known = kept != nullptr && kept->is_read;
+    bool is_known = kept != nullptr && kept->is_read;
     std::optional<Mesh> mesh = is_known ? kept->mesh : reader.read(is_thick, bytes_left_);
     if (kept != nullptr) kept->is_read = true;
     if (!mesh) continue;
-    mesh->name = object.name;
-    mesh->material = materials_.material(primitive, place);
-    const Material& material = scene_.materials[mesh->material];
-    check_uv_sets(*mesh, material, place, warnings_);
+    const std::uint32_t material_id = materials_.material(primitive, place);
+    const Material& material = scene_.materials[material_id];
     const TextureSlot* const slot = slot_of_tangents(material);
+    const TextureSlot tangent_slot = slot == nullptr ? TextureSlot{} : *slot;
+    // An animation can make a material one that needs tangents, or turn its textures.
+    if (is_known && !has_same_coordinates(kept->tangent_slot, tangent_slot)) {
+      mesh = reader.read(is_thick, bytes_left_);
+      is_known = false;
+    }
+    mesh->name = object.name;
+    mesh->material = material_id;
+    check_uv_sets(*mesh, material, place, warnings_);
     if (is_known) {
       reader.reuse(*mesh, kept->selection, bytes_left_);
     } else if (slot != nullptr && !is_thick) {
       reader.read_tangents(*mesh);
     }
     // What does not move is kept ready for use, what does as it is in the file.
-    if (kept != nullptr && !is_known && !deformation.is_none()) *kept = {true, mesh, reader.selection()};
+    if (kept != nullptr && !is_known && !deformation.is_none()) *kept = {true, tangent_slot, mesh, reader.selection()};
     if (!is_known || !deformation.is_none()) {
-      reader.bend(deformation, *mesh);
+      reader.bend(deformation, *mesh, bytes_left_);
       reader.repair(*mesh);
       if (is_thick) reader.thicken(point_radius_, to_world, *mesh, bytes_left_);
       if (slot != nullptr && mesh->tangents.empty() && !mesh->uvs[slot->uv_set].empty()) {
         generate_tangents(*mesh, *slot);
       }
     }
-    if (kept != nullptr && !is_known && deformation.is_none()) *kept = {true, mesh, {}};
+    if (kept != nullptr && !is_known && deformation.is_none()) *kept = {true, tangent_slot, mesh, {}};
     scene_.meshes.push_back(std::move(*mesh));
     ++object.mesh_count;
   }

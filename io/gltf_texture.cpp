@@ -89,7 +89,7 @@ std::size_t TextureTable::first_alike(std::size_t image) {
 
 /// A texture may have images in several containers, for readers of different abilities. Files that the extensions stand
 /// for come first, as the extensions want it: those for graphics cards, then the smaller files, then PNG and JPEG.
-TextureTable::ImageChoice TextureTable::images_of(const tinygltf::Texture& texture) {
+ImageChoice TextureTable::images_of(const tinygltf::Texture& texture) {
   ImageChoice images;
   for (const char* name : {"KHR_texture_basisu", "EXT_texture_avif", "EXT_texture_webp"}) {
     const auto extension = texture.extensions.find(name);

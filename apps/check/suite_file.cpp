@@ -134,8 +134,8 @@ Defaults read_defaults(const Suite& suite, const TomlTable& root) {
 }
 
 /// Options that a suite decides itself, or that would make renders depend on the machine.
-constexpr std::string_view refused_options[] = {"--output",       "--stats", "--quiet",  "--aov",
-                                                "--aov-separate", "--time",  "--threads"};
+constexpr std::string_view refused_options[] = {"--output",       "--stats", "--quiet",   "--aov",
+                                                "--aov-separate", "--time",  "--threads", "--frames"};
 
 /// Throws InputError for what `candil render` would not take.
 void check_words(const TomlTable& table, const Suite& suite, SuiteTest& test) {

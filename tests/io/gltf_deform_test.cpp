@@ -103,6 +103,24 @@ TEST(GltfMorph, RefusesTargetsOfAnotherLengthAndWarnsOfOtherWeights) {
   EXPECT_EQ(load_sample(other).warnings, std::vector<std::string>{"nodes[0]: has 3 morph weights for 1 targets"});
 }
 
+// A thousand nodes that each add a thousand targets of a thousand vertices: a billion displacements in a few lines.
+TEST(GltfMorph, RefusesWorkOutOfProportion) {
+  GltfSample sample;
+  sample.accessors.push_back(R"({"componentType":5126,"type":"VEC3","count":1000})");
+  std::string targets, weights;
+  for (int t = 0; t < 1000; ++t) {
+    targets += (t == 0 ? "" : ",") + std::string(R"({"POSITION":0})");
+    weights += (t == 0 ? "" : ",") + std::to_string(t + 1);
+  }
+  sample.meshes = {R"({"primitives":[{"attributes":{"POSITION":0},"targets":[)" + targets + "]}]}"};
+  for (int n = 0; n < 1000; ++n) {
+    sample.nodes.push_back(R"({"mesh":0,"weights":[)" + std::to_string(n) + "," + weights.substr(2) + "]}");
+  }
+  EXPECT_EQ(load_error(sample),
+            "model.gltf: meshes[0].primitives[0]: expands to far more geometry than the file has "
+            "bytes for");
+}
+
 /// A triangle bound to two joints, nodes 1 and 2: vertex 0 to the first, 1 to the second, 2 to both by half.
 struct SkinSample : GltfSample {
   SkinSample() {
