@@ -17,6 +17,12 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
       [&](const auto&, const auto& text) { options.animation = text; });
   arguments.add("--at", "SECONDS", "The time in the animation (default 0); it stands still beyond its ends",
                 [&](const auto& option, const auto& text) { options.at = parse_real(option, text, 0, 1e9); });
+  arguments.add("--experimental", "NAME",
+                "Turn on an experiment: volume-scatter (KHR_materials_volume_scatter, a draft)",
+                [&](const auto& option, const auto& text) {
+                  if (text != "volume-scatter") fail_choice(option, text, {"volume-scatter"});
+                  options.experiments = {"KHR_materials_volume_scatter"};
+                });
 }
 
 }  // namespace candil

@@ -13,15 +13,25 @@ namespace candil {
 namespace {
 
 /// One line for everything in the file that the picture will lack.
-void report_unsupported(const GltfDocument& document, LoadedScene& loaded, Warnings& warnings) {
+void report_unsupported(const GltfDocument& document, const LoadOptions& options, LoadedScene& loaded,
+                        Warnings& warnings) {
   loaded.contents = document.contents();
   for (const std::string& extension : loaded.contents.extensions_used) {
-    if (const auto not_honoured = what_is_not_honoured(extension)) loaded.not_honoured.push_back(*not_honoured);
-    if (is_supported_gltf_extension(extension) || is_harmless_gltf_extension(extension)) continue;
+    if (const auto not_honoured = what_is_not_honoured(extension, options.experiments))
+      loaded.not_honoured.push_back(*not_honoured);
+    if (is_supported_gltf_extension(extension, options.experiments) || is_harmless_gltf_extension(extension)) continue;
     loaded.extensions_unsupported.push_back(extension);
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
   for (NotHonoured& part : parts_not_honoured(loaded.contents)) loaded.not_honoured.push_back(std::move(part));
+}
+
+/// What was read of experiments that are off.
+void drop_experiments(const LoadOptions& options, Scene& scene) {
+  if (is_turned_on("KHR_materials_volume_scatter", options.experiments)) return;
+  for (Material& material : scene.materials) {
+    if (material.extensions) material.extensions->multiscatter_color = Vec3(0);
+  }
 }
 
 /// What is kept of a file between two times.
@@ -36,7 +46,7 @@ enum class Content { all, without_images };
 LoadedScene read_document(const GltfDocument& document, const LoadOptions& options, Content content, GltfCache* cache,
                           Warnings& warnings) {
   LoadedScene loaded;
-  report_unsupported(document, loaded, warnings);
+  report_unsupported(document, options, loaded, warnings);
   loaded.animations = list_animations(document);
   TextureTable textures(document, loaded.scene, warnings, cache == nullptr ? nullptr : &cache->images);
   MaterialTable materials(document, loaded.scene, textures, warnings, choose_variant(document, options.variant));
@@ -50,6 +60,7 @@ LoadedScene read_document(const GltfDocument& document, const LoadOptions& optio
   if (content == Content::all) {
     for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
   }
+  drop_experiments(options, loaded.scene);
   bake_single_instances(loaded.scene);
   return loaded;
 }
@@ -57,7 +68,7 @@ LoadedScene read_document(const GltfDocument& document, const LoadOptions& optio
 }  // namespace
 
 LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  GltfDocument document(path);
+  GltfDocument document(path, options.experiments);
   Warnings warnings;
   if (options.is_animated()) {
     GltfAnimator(document, options.animation, warnings).move(document, options.at.value_or(0));
@@ -70,7 +81,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
 
 struct SceneSequence::File {
   File(const std::filesystem::path& path, const LoadOptions& asked)
-      : options(asked), document(path), animator(document, asked.animation, warnings) {
+      : options(asked), document(path, asked.experiments), animator(document, asked.animation, warnings) {
     check_accessors(document);
   }
 
