@@ -37,6 +37,12 @@ void add_scene_arguments(Arguments& arguments, LoadOptions& options) {
                 [&](const auto& option, const auto& text) {
                   options.point_radius = static_cast<float>(parse_real(option, text, 1e-9, 1e6));
                 });
+  arguments.add("--experimental", "NAME",
+                "Turn on an experiment: volume-scatter (KHR_materials_volume_scatter, a draft)",
+                [&](const auto& option, const auto& text) {
+                  if (text != "volume-scatter") fail_choice(option, text, {"volume-scatter"});
+                  options.experiments = {"KHR_materials_volume_scatter"};
+                });
 }
 
 }  // namespace candil

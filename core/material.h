@@ -129,6 +129,10 @@ struct Material {
   bool is_dispersive() const {
     return thickness > 0 && transmission > 0 && ior > 1 && extensions && extensions->dispersion > 0;
   }
+  /// A volume that scatters some of what it attenuates.
+  bool scatters() const {
+    return extensions && !is_black(extensions->multiscatter_color) && attenuation_distance < infinity;
+  }
   bool is_emissive() const { return !is_black(emission) || is_unlit; }
 };
 

@@ -7,7 +7,7 @@
 // - sum p_i is limited, since the report only asks that it be below 1.
 #include "core/emission.h"
 #include "core/punctual.h"
-#include "integrators/path_state.h"
+#include "integrators/medium.h"
 
 namespace candil {
 namespace {
@@ -48,7 +48,16 @@ PathSample trace_classic(const RenderContext& context, const RenderSettings& set
       state.radiance += state.throughput * background(context, state);
       break;
     }
-    if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    if (is_in_scattering_medium(state, context.scene)) {
+      const MediumStep step = step_in_medium(state, medium_of(context.scene.materials[state.medium]), hit->t, sampler);
+      if (step == MediumStep::ended) break;
+      if (step == MediumStep::scattered) {
+        ++rays.bounce;
+        continue;
+      }
+    } else if (state.medium != invalid_id) {
+      state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    }
     SurfacePoint point = make_surface_point(context.scene, *hit);
     const Vec3 wo = -state.ray.direction;
     const Vec3 emitted = emitted_radiance(context.scene, point, glm::dot(wo, point.normal_geometric) > 0);

@@ -50,6 +50,7 @@ BatchIntegrator integrator_function(IntegratorKind kind);
 namespace dimension {
 inline constexpr std::uint32_t filter = 0, lens = 1, first_vertex = 2, per_vertex = 4;
 inline constexpr std::uint32_t wavelength = ~std::uint32_t{0};
+inline constexpr std::uint32_t first_medium = 0x80000000u;  // per_vertex for each step in a scattering medium
 }  // namespace dimension
 
 }  // namespace candil

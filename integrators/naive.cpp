@@ -1,7 +1,7 @@
 // Path tracing in its plainest form: the light that the closure's samples happen to find. Slow, and easy to check by
 // eye.
 #include "core/emission.h"
-#include "integrators/path_state.h"
+#include "integrators/medium.h"
 
 namespace candil {
 
@@ -17,7 +17,16 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
       state.radiance += state.throughput * background(context, state);
       break;
     }
-    if (state.medium != invalid_id) state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    if (is_in_scattering_medium(state, context.scene)) {
+      const MediumStep step = step_in_medium(state, medium_of(context.scene.materials[state.medium]), hit->t, sampler);
+      if (step == MediumStep::ended) break;
+      if (step == MediumStep::scattered) {
+        ++rays.bounce;
+        continue;
+      }
+    } else if (state.medium != invalid_id) {
+      state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    }
     SurfacePoint point = make_surface_point(context.scene, *hit);
     const Vec3 wo = -state.ray.direction;
     state.radiance +=

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "core/emission.h"
-#include "integrators/path_state.h"
+#include "integrators/medium.h"
 
 namespace candil {
 namespace {
@@ -62,9 +62,9 @@ class Batch {
     }
     rays_.camera += samples.size();
     while (active.count > 0) {
-      const LaneList hits = intersect(active, results);
-      LaneList shadows;
-      active = {};
+      LaneList walking, shadows;
+      const LaneList hits = intersect(active, results, walking);
+      active = walking;
       draw_numbers(hits);
       for (std::size_t k = 0; k < hits.count; ++k) {
         // In place: a copy would wait for the stores.
@@ -81,8 +81,8 @@ class Batch {
 
  private:
   /// Moves the paths to their next surface; those that leave the scene get its background and are not returned. The hit
-  /// of the k-th path returned is hits_[k].
-  LaneList intersect(const LaneList& active, std::span<PathSample> results) {
+  /// of the k-th path returned is hits_[k]. Those that scatter in a medium on the way are `walking`.
+  LaneList intersect(const LaneList& active, std::span<PathSample> results, LaneList& walking) {
     for (std::size_t k = 0; k < active.count; ++k) next_rays_[k] = lanes_[active.ids[k]].state.ray;
     find_hits(active.count);
     LaneList hits;
@@ -90,6 +90,12 @@ class Batch {
       const std::uint8_t i = active.ids[k];
       PathState& state = lanes_[i].state;
       if (!hits_[k].is_miss()) {
+        if (is_in_scattering_medium(state, scene_)) {
+          const Medium medium = medium_of(scene_.materials[state.medium]);
+          const MediumStep step = step_in_medium(state, medium, hits_[k].t, samples_[i].sampler);
+          if (step == MediumStep::scattered) walking.add(i);
+          if (step != MediumStep::surface) continue;
+        }
         hits_[hits.count] = hits_[k];
         hits.add(i);
       } else if (state.bounce == 0 && settings_.transparent_background) {
@@ -134,7 +140,9 @@ class Batch {
   bool shade(std::uint8_t i, float distance, SurfacePoint& point, const VertexSamples& u, LaneList& shadows) {
     Lane& lane = lanes_[i];
     PathState& state = lane.state;
-    if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene_, state.medium, distance);
+    if (state.medium != invalid_id && !is_in_scattering_medium(state, scene_)) {
+      state.throughput *= volume_transmittance(scene_, state.medium, distance);
+    }
     const Vec3 wo = -state.ray.direction;
     const Vec3 emitted = emitted_radiance(scene_, point, glm::dot(wo, point.normal_geometric) > 0);
     if (!is_black(emitted)) {

@@ -11,11 +11,12 @@ struct PathState {
   Vec3 throughput{1.0f};  ///< Contribution over density of the path so far.
   Vec3 radiance{0.0f};    ///< Collected so far.
   float eta_scale = 1;  ///< Product of eta^2: what roulette multiplies to undo the compression of radiance in a medium.
-  std::uint32_t bounce = 0;           ///< Scattering events so far.
+  std::uint32_t bounce = 0;           ///< Scattering events at surfaces so far.
   std::uint32_t medium = invalid_id;  ///< Material whose volume the ray crosses, or none.
+  std::uint32_t medium_steps = 0;     ///< Parts of the way through scattering media so far.
   float bsdf_pdf = 0;                 ///< Density, 1/sr, with which the last closure chose the ray.
   float wavelength = 0;               ///< Nanometres, from the first dispersive volume on; before that 0.
-  Vec3 from{0.0f};                    ///< The last surface point, without offset.
+  Vec3 from{0.0f};                    ///< The last point that scattered, without offset.
   bool is_specular = true;    ///< The ray is a camera ray or left a delta lobe: nothing else could have found it.
   bool sees_backdrop = true;  ///< Camera ray so far, bent at most by specular transmission.
 };

@@ -200,14 +200,14 @@ std::unique_ptr<tinygltf::Model> parse_model(const std::string& text, const std:
 
 }  // namespace
 
-GltfDocument::GltfDocument(const std::filesystem::path& path)
+GltfDocument::GltfDocument(const std::filesystem::path& path, std::span<const std::string> experiments)
     : name_(path.string()), folder_(path.parent_path()), files_({path}), file_(read_file(path, name_, "")) {
   const GltfContainer container = split_gltf(file_, name_);
   json root = parse_json(container.json, name_);
   check_version(root, name_);
   contents_.extensions_used = read_extension_list(root, "extensionsUsed", name_);
   contents_.extensions_required = read_extension_list(root, "extensionsRequired", name_);
-  refuse_unknown_gltf_extensions(contents_.extensions_required, name_);
+  refuse_unknown_gltf_extensions(contents_.extensions_required, name_, experiments);
   // Files without scenes that name one anyway are about; they lose nothing.
   if (!root.contains("scenes")) root.erase("scene");
   check_gltf_schema(root, name_);

@@ -53,8 +53,9 @@ struct GltfAnimation {
 class GltfDocument {
  public:
   /// Reads the file and all its buffers, each once. Throws InputError for anything that is not a structurally sound
-  /// glTF 2.x asset (see check_gltf_schema()), and for required extensions that candil does not have.
-  explicit GltfDocument(const std::filesystem::path& path);
+  /// glTF 2.x asset (see check_gltf_schema()), and for required extensions that candil does not have, `experiments`
+  /// (extensions by name) apart.
+  explicit GltfDocument(const std::filesystem::path& path, std::span<const std::string> experiments = {});
   ~GltfDocument();
 
   /// Properties that are indices are known to be valid, except texture.source inside of extensions that candil does not

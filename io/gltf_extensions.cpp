@@ -61,7 +61,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_materials_unlit", GltfTier::full},
     {"KHR_materials_variants", GltfTier::full, "the materials of the primitives, or --variant"},
     {"KHR_materials_volume", GltfTier::full, "rays measure the thickness"},
-    {"KHR_materials_volume_scatter", GltfTier::unsupported},
+    {"KHR_materials_volume_scatter", GltfTier::experimental, "--experimental volume-scatter has it"},
     {"KHR_mesh_quantization", GltfTier::full},
     {"KHR_meshopt_compression", GltfTier::partial,
      "version 1 of the vertex codec with meshoptimizer 0.23 or newer, the filter COLOR with 0.25", no_meshopt},
@@ -111,16 +111,18 @@ std::string GltfExtension::explanation() const {
 
 std::span<const GltfExtension> gltf_extensions() { return table; }
 
-bool is_supported_gltf_extension(std::string_view extension) { return find_extension(extension).is_honoured(); }
+bool is_supported_gltf_extension(std::string_view extension, Experiments experiments) {
+  return find_extension(extension).is_honoured() || is_turned_on(extension, experiments);
+}
 
 bool is_harmless_gltf_extension(std::string_view extension) {
   return find_extension(extension).tier == GltfTier::harmless;
 }
 
-std::optional<NotHonoured> what_is_not_honoured(const std::string& extension) {
+std::optional<NotHonoured> what_is_not_honoured(const std::string& extension, Experiments experiments) {
   const GltfExtension row = find_extension(extension);
   const std::string explanation = row.explanation();
-  if (row.tier == GltfTier::full && row.missing_package.empty()) return {};
+  if ((row.tier == GltfTier::full && row.missing_package.empty()) || is_turned_on(extension, experiments)) return {};
   return NotHonoured{extension, std::string(row.tier_word()) + (explanation.empty() ? "" : ": " + explanation)};
 }
 
@@ -135,12 +137,13 @@ std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents, bool h
   return parts;
 }
 
-void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name) {
+void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name,
+                                    Experiments experiments) {
   std::string missing;
   int count = 0;
   for (const std::string& extension : required) {
     const GltfExtension row = find_extension(extension);
-    if (row.is_honoured() || row.tier == GltfTier::harmless) continue;
+    if (row.tier == GltfTier::harmless || is_supported_gltf_extension(extension, experiments)) continue;
     missing += (count++ == 0 ? "" : ", ") + printable(extension);
     if (!row.missing_package.empty()) missing += " (this build has no " + std::string(row.missing_package) + ")";
   }

@@ -2,6 +2,7 @@
 /// `info` and --list-extensions tell.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,19 +38,26 @@ struct GltfExtension {
 /// All that candil knows of, by name.
 std::span<const GltfExtension> gltf_extensions();
 
+/// Experimental extensions that are turned on, by name.
+using Experiments = std::span<const std::string>;
+inline bool is_turned_on(std::string_view extension, Experiments experiments) {
+  return std::find(experiments.begin(), experiments.end(), extension) != experiments.end();
+}
+
 /// Read and rendered.
-bool is_supported_gltf_extension(std::string_view extension);
+bool is_supported_gltf_extension(std::string_view extension, Experiments experiments = {});
 
 /// May be ignored even when a file requires it.
 bool is_harmless_gltf_extension(std::string_view extension);
 
 /// Why a picture may lack what the extension says; nothing if it is rendered in full.
-std::optional<NotHonoured> what_is_not_honoured(const std::string& extension);
+std::optional<NotHonoured> what_is_not_honoured(const std::string& extension, Experiments experiments = {});
 
 /// What pictures lack beside extensions.
 std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents, bool has_point_radius);
 
 /// Throws InputError(name, "extensionsRequired", ...) that names every extension that is neither of the two.
-void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name);
+void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name,
+                                    Experiments experiments = {});
 
 }  // namespace candil

@@ -17,13 +17,22 @@ void report_unsupported(const GltfDocument& document, const LoadOptions& options
                         Warnings& warnings) {
   loaded.contents = document.contents();
   for (const std::string& extension : loaded.contents.extensions_used) {
-    if (const auto not_honoured = what_is_not_honoured(extension)) loaded.not_honoured.push_back(*not_honoured);
-    if (is_supported_gltf_extension(extension) || is_harmless_gltf_extension(extension)) continue;
+    if (const auto not_honoured = what_is_not_honoured(extension, options.experiments))
+      loaded.not_honoured.push_back(*not_honoured);
+    if (is_supported_gltf_extension(extension, options.experiments) || is_harmless_gltf_extension(extension)) continue;
     loaded.extensions_unsupported.push_back(extension);
     warnings.add("extension " + printable(extension) + " is not supported and ignored");
   }
   for (NotHonoured& part : parts_not_honoured(loaded.contents, options.point_radius > 0))
     loaded.not_honoured.push_back(std::move(part));
+}
+
+/// What was read of experiments that are off.
+void drop_experiments(const LoadOptions& options, Scene& scene) {
+  if (is_turned_on("KHR_materials_volume_scatter", options.experiments)) return;
+  for (Material& material : scene.materials) {
+    if (material.extensions) material.extensions->multiscatter_color = Vec3(0);
+  }
 }
 
 /// What is kept of a file between two times.
@@ -55,6 +64,7 @@ LoadedScene read_document(const GltfDocument& document, const LoadOptions& optio
   if (content == Content::all) {
     for (std::filesystem::path& file : textures.decode_images()) loaded.files.push_back(std::move(file));
   }
+  drop_experiments(options, loaded.scene);
   bake_single_instances(loaded.scene);
   return loaded;
 }
@@ -62,7 +72,7 @@ LoadedScene read_document(const GltfDocument& document, const LoadOptions& optio
 }  // namespace
 
 LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  GltfDocument document(path);
+  GltfDocument document(path, options.experiments);
   Warnings warnings;
   if (options.is_animated()) {
     GltfAnimator(document, options.animation, warnings).move(document, options.at.value_or(0));
@@ -75,7 +85,7 @@ LoadedScene load_gltf(const std::filesystem::path& path, const LoadOptions& opti
 
 struct SceneSequence::File {
   File(const std::filesystem::path& path, const LoadOptions& asked)
-      : options(asked), document(path), animator(document, asked.animation, warnings) {
+      : options(asked), document(path, asked.experiments), animator(document, asked.animation, warnings) {
     check_accessors(document);
   }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace candil {
 
@@ -21,10 +22,12 @@ struct LoadOptions {
   std::string animation;     ///< Of animations[], or "all"; see is_animated().
   std::optional<double> at;  ///< The time in the animation, seconds; 0 if only the animation is chosen.
   LightUnits light_units = LightUnits::spec;
-  float point_radius = 0;    ///< Of primitives of points and lines, metres; 0: they are not shown.
+  float point_radius = 0;                ///< Of primitives of points and lines, metres; 0: they are not shown.
+  std::vector<std::string> experiments;  ///< Extensions to have although they are experimental, by name.
 
   /// Otherwise the file is shown in its rest pose: as it stores its nodes, weights and materials.
   bool is_animated() const { return at.has_value() || !animation.empty(); }
+
   bool operator==(const LoadOptions&) const = default;
 };
 

@@ -30,7 +30,7 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
   } else {
     mean_lost_here_ = glm::max(1e-6f, 1 - facets_.dielectric_average(from_inside_));
     mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.dielectric_average(!from_inside_));
-    const float beyond = mean_lost_beyond_ * sqr(eta_);
+    const float beyond = mean_lost_beyond_ * sqr(reflecting_eta_);
     multiple_transmitted_ = beyond / (beyond + mean_lost_here_);
   }
 }

@@ -57,6 +57,7 @@ const std::vector<WrongUsage> wrong_usages = {
     {{"square.gltf", "--orbit", "0,0,1e20"}, "--orbit: 1e20 is not between"},
     {{"square.gltf", "--max-bounces", "many"}, "--max-bounces"},
     {{"square.gltf", "--filter", "triangle"}, "--filter: 'triangle' is not one of blackman-harris, box, gaussian"},
+    {{"square.gltf", "--experimental", "magic"}, "--experimental: 'magic' is not one of volume-scatter"},
     {{"square.gltf", "--accel", "octree"}, "--accel: 'octree' is not one of embree, report, sah, wide, brute"},
     {{"square.gltf", "--accel", "sah:robust=on"}, "--accel: 'robust' is not one of quality"},
     {{"square.gltf", "--accel", "brute:quality=low"}, "--accel: brute has no options"},

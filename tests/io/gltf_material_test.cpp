@@ -26,8 +26,14 @@ GltfSample sample_with_material(const std::string& material) {
   return sample;
 }
 
+const LoadOptions all_extensions = [] {
+  LoadOptions options;
+  options.experiments = {"KHR_materials_volume_scatter"};
+  return options;
+}();
+
 Material load_material(const std::string& json) {
-  return load_sample(sample_with_material(json)).scene.materials.at(0);
+  return load_sample(sample_with_material(json), all_extensions).scene.materials.at(0);
 }
 
 TEST(GltfMaterial, DefaultsAreThoseOfTheSpecification) {
@@ -408,6 +414,22 @@ TEST(GltfMaterial, NormalTexturesGetTangents) {
   EXPECT_EQ(mesh.tangents.at(0), Vec4(1, 0, 0, -1));
   sample.materials[0] = "{}";
   EXPECT_TRUE(load_sample(sample).scene.meshes.at(0).tangents.empty());
+}
+
+// An experiment is off unless a person turns it on: then it is read, and a file may require it.
+TEST(GltfMaterial, ExperimentsHaveToBeTurnedOn) {
+  const std::string name = "KHR_materials_volume_scatter";
+  GltfSample sample = sample_with_material("{\"extensions\":{\"" + name + "\":{\"multiscatterColor\":[0.5,0.5,0.5]}}}");
+  sample.root = ",\"extensionsUsed\":[\"" + name + "\"]";
+  const LoadedScene off = load_sample(sample), on = load_sample(sample, all_extensions);
+  EXPECT_EQ(off.extensions_unsupported, std::vector<std::string>{name});
+  EXPECT_TRUE(is_black(off.scene.materials.at(0).extensions->multiscatter_color));
+  EXPECT_TRUE(on.extensions_unsupported.empty());
+  EXPECT_TRUE(on.not_honoured.empty());
+  EXPECT_EQ(on.scene.materials.at(0).extensions->multiscatter_color, Vec3(0.5f));
+  sample.root += ",\"extensionsRequired\":[\"" + name + "\"]";
+  EXPECT_NE(load_error(sample).find(name), std::string::npos);
+  EXPECT_NO_THROW(load_sample(sample, all_extensions));
 }
 
 }  // namespace
