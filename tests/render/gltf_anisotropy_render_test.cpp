@@ -34,7 +34,7 @@ Highlights highlights(const std::string& anisotropy) {
     builder.scene = loaded.scene;
     PunctualLight light;
     light.position = lamp;
-    builder.scene.lights = {light};
+    builder.scene.punctual_lights = {light};
     return estimate_radiance(Stage(builder.scene), trace_path, Ray{Vec3(0, 0, 5), Vec3(0, 0, -1)}, 16).mean.x;
   };
   return {seen(Vec3(3, 0, 4)), seen(Vec3(0, 3, 4))};
