@@ -12,7 +12,7 @@ TEST(Info, TellsAPersonWhatIsThere) {
   write_square_scene(folder);
   const ProgramResult result = run_program({"info", "square.gltf"}, folder.path());
   EXPECT_EQ(result.exit_code, 0) << result.errors;
-  for (const char* const text : {"square.gltf", "2 (2 with instances)", "2 x 2 x 0 m", "cameras     0", "0 point"})
+  for (const char* const text : {"square.gltf", "2 (2 with instances)", "2 x 2 x 0 m", "cameras      0", "0 point"})
     EXPECT_NE(result.output.find(text), std::string::npos) << text << "\n" << result.output;
   EXPECT_EQ(folder.names(), std::vector<std::string>{"square.gltf"});
 }
