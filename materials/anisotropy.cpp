@@ -132,10 +132,7 @@ Vec2 AnisotropicGrid::average(Vec2 alpha) const {
 }
 
 AnisotropicAlbedo::AnisotropicAlbedo() {
-  grid_.fill([](Vec3 wo, Vec3 h, Vec2 alpha) {
-    const float schlick = fresnel_schlick(Vec3(0), Vec3(1), glm::dot(wo, h)).x;
-    return Vec2(1 - schlick, schlick) * reflected_share(wo, h, alpha);
-  });
+  grid_.fill([](Vec3 wo, Vec3 h, Vec2 alpha) { return Vec2(reflected_share(wo, h, alpha)); });
 }
 
 AnisotropicDielectricAlbedo::AnisotropicDielectricAlbedo(float ior) : ior_(ior) {

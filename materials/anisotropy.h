@@ -3,7 +3,8 @@
 /// It depends on four numbers: both roughnesses and the direction. Smith's masking sees the direction only by its
 /// projected roughness times the tangent of its angle, the slope at which facets hide each other; tabulated over this
 /// slope, over where the projected roughness lies between the two, and over these, the albedo is so smooth that a
-/// coarse grid tells it to within 0.005 nearly everywhere (tests/materials/anisotropy_test.cpp).
+/// coarse grid will do: a white furnace stays white within 1 %, within 2 % for a coated base and 7 % for glass where
+/// the strength is 1 (tests/materials/anisotropy_test.cpp).
 #pragma once
 
 #include <vector>
@@ -36,15 +37,14 @@ class AnisotropicGrid {
   std::vector<Vec2> averages_;
 };
 
-/// GgxAlbedo of an anisotropic interface.
+/// An anisotropic interface that reflects everything.
 class AnisotropicAlbedo {
  public:
   AnisotropicAlbedo();
-  GgxAlbedo::Split directional(Vec2 alpha, Vec3 w) const { return split(grid_.directional(alpha, w)); }
-  GgxAlbedo::Split average(Vec2 alpha) const { return split(grid_.average(alpha)); }
+  float directional(Vec2 alpha, Vec3 w) const { return grid_.directional(alpha, w).x; }
+  float average(Vec2 alpha) const { return grid_.average(alpha).x; }
 
  private:
-  static GgxAlbedo::Split split(Vec2 v) { return {v.x, v.y}; }
   AnisotropicGrid grid_;
 };
 

@@ -48,10 +48,12 @@ struct ExtendedFacets {
   bool is_smooth() const { return alpha.x < ggx_min_alpha; }
   void make_smooth() { roughness = 0, anisotropic_ggx = nullptr; }
   GgxAlbedo::Split directional(Vec3 w) const {
-    return anisotropic_ggx ? anisotropic_ggx->directional(alpha, w) : ggx->directional(roughness, glm::abs(w.z));
+    if (!anisotropic_ggx) return ggx->directional(roughness, glm::abs(w.z));
+    return of_total(ggx->directional(projected_roughness(w), glm::abs(w.z)), anisotropic_ggx->directional(alpha, w));
   }
   GgxAlbedo::Split average() const {
-    return anisotropic_ggx ? anisotropic_ggx->average(alpha) : ggx->average(roughness);
+    if (!anisotropic_ggx) return ggx->average(roughness);
+    return of_total(ggx->average(projected_roughness(Vec3(1, 1, 0))), anisotropic_ggx->average(alpha));
   }
   float dielectric_directional(Vec3 w, bool from_inside) const {
     return anisotropic_dielectric ? anisotropic_dielectric->directional(alpha, w, from_inside)
@@ -65,6 +67,18 @@ struct ExtendedFacets {
   /// Shares of light that is reflected near the nodes of FacetAngles; `single` is directional(), `mean` average().
   FacetAngles::Nodes directional_nodes(Vec3 w, GgxAlbedo::Split single) const;
   FacetAngles::Nodes average_nodes(GgxAlbedo::Split mean) const;
+
+ private:
+  /// That of isotropic facets as seen from w.
+  float projected_roughness(Vec3 w) const {
+    const float sin2 = sqr(w.x) + sqr(w.y);
+    return sin2 > 0 ? glm::pow((sqr(alpha.x * w.x) + sqr(alpha.y * w.y)) / sin2, 0.25f) : roughness;
+  }
+  /// The angles at which facets are met, and so Fresnel's term, are those of isotropic ones of the projected roughness.
+  static GgxAlbedo::Split of_total(GgxAlbedo::Split isotropic, float total) {
+    const float factor = total / glm::max(isotropic.total(), 1e-6f);
+    return {isotropic.scale * factor, isotropic.bias * factor};
+  }
 };
 
 }  // namespace candil

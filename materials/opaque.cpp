@@ -143,6 +143,7 @@ std::optional<BsdfSample> BasicOpaqueLobes<Facets>::sample(Vec3 wo, float u_lobe
   if (u_lobe < specular_probability_) {
     if (is_delta_) return mirror_sample(wo, reflectance(wo.z), specular_probability_);
     wi = sample_ggx_reflection(wo, facets_.alpha, u_direction);
+    if (wi.z <= 0) return std::nullopt;  // shadowed: not what the other lobes transmit
   } else {
     wi = sample_cosine_hemisphere(u_direction);
     if (u_lobe < specular_probability_ + transmission_probability_) wi.z = -wi.z;

@@ -8,7 +8,9 @@
 namespace candil {
 namespace {
 
-constexpr int order_count = 5;  // of reflections that still interfere; Belcour and Barla take 2 or 3
+/// Of reflections that interfere. Belcour and Barla take 2 or 3; towards grazing angles each is hardly weaker than the
+/// one before.
+constexpr int max_order = 100;
 
 /// Fourier transform of the CIE 1931 observer by Gaussians in the wave number (Belcour and Barla 2017, supplemental
 /// code, as quoted in the extension's text), each normalised to 1 for path 0.
@@ -49,24 +51,32 @@ Amplitudes<T> fresnel_amplitudes(float n1, float cos1, T n2, T cos2) {
 }
 
 /// The share of light that goes through, of one polarisation: T12 T23 / |1 + q e^(i phase)|^2 with q the product of
-/// both amplitudes, as a series of cosines of multiples of the phase; `sensitivities` stand for these.
-Vec3 transmittance(float r12, Vec3 r23, const Vec3 (&sensitivities)[order_count]) {
-  const Vec3 q = r12 * r23;
-  Vec3 power(2), series(1);
-  for (const Vec3& sensitivity : sensitivities) {
-    power *= -q;
-    series += power * sensitivity;
+/// both amplitudes, as a series of cosines of multiples of the phase.
+class Transmittance {
+ public:
+  Transmittance(float r12, Vec3 r23) : q_(r12 * r23), scale_((1 - sqr(r12)) * (1.0f - r23 * r23)) {}
+  /// The next order, whose cosines are seen as `sensitivity`.
+  void add(Vec3 sensitivity) {
+    power_ *= -q_;
+    series_ += power_ * sensitivity;
   }
-  return (1 - sqr(r12)) * (1.0f - r23 * r23) / glm::max(1.0f - q * q, 1e-6f) * series;
-}
+  bool is_complete() const { return max_component(glm::abs(power_)) < 1e-3f; }
+  Vec3 value() const { return scale_ / glm::max(1.0f - q_ * q_, 1e-6f) * series_; }
+
+ private:
+  Vec3 q_, scale_, power_{2.0f}, series_{1.0f};
+};
 
 Vec3 reflectance(const ThinFilm& film, float cos_film, Amplitudes<float> upper, const Amplitudes<Vec3>& lower) {
   const float path = 2 * film.ior * film.thickness * cos_film;
-  Vec3 sensitivities[order_count];
-  for (int m = 0; m < order_count; ++m) sensitivities[m] = (*film.sensitivity)(static_cast<float>(m + 1) * path);
-  const Vec3 through = 0.5f * (transmittance(upper.perpendicular, lower.perpendicular, sensitivities) +
-                               transmittance(upper.parallel, lower.parallel, sensitivities));
-  return glm::clamp(1.0f - through, 0.0f, 1.0f);
+  Transmittance perpendicular(upper.perpendicular, lower.perpendicular), parallel(upper.parallel, lower.parallel);
+  for (int order = 1; order <= max_order && !(perpendicular.is_complete() && parallel.is_complete()); ++order) {
+    const float distance = static_cast<float>(order) * path;
+    if (film.sensitivity->is_averaged_out(distance)) break;
+    const Vec3 sensitivity = (*film.sensitivity)(distance);
+    perpendicular.add(sensitivity), parallel.add(sensitivity);
+  }
+  return glm::clamp(1.0f - 0.5f * (perpendicular.value() + parallel.value()), 0.0f, 1.0f);
 }
 
 /// Cosine beyond an interface to a relative index, squared; negative under total reflection.

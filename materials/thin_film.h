@@ -22,10 +22,12 @@ class FilmSensitivity {
  public:
   FilmSensitivity();
 
+  /// A path after which nothing is left of colours.
+  bool is_averaged_out(float path) const { return !(path < step * static_cast<float>(count - 1)); }
   /// Nanometres, not negative.
   Vec3 operator()(float path) const {
+    if (is_averaged_out(path)) return Vec3(0);
     const float position = path * (1 / step);
-    if (!(position < static_cast<float>(count - 1))) return Vec3(0);  // colours have averaged out
     const std::size_t index = static_cast<std::size_t>(position);
     return glm::mix(colors_[index], colors_[index + 1], position - static_cast<float>(index));
   }

@@ -79,6 +79,10 @@ TEST(Bsdf, IsReciprocal) {
   }
 }
 
+bool is_coated_rough_glass(const Material& m) {
+  return m.is_volume() && m.roughness > 0 && m.extensions && m.extensions->clearcoat > 0;
+}
+
 // Lossless closures under light from everywhere return exactly what they get (white furnace). The albedo tables are
 // interpolated, and 32768 low-discrepancy samples are averaged: 1 % covers both.
 TEST(Bsdf, LosslessClosuresKeepAllEnergy) {
@@ -97,7 +101,9 @@ TEST(Bsdf, LosslessClosuresKeepAllEnergy) {
     for (const float angle : angles) {
       if (!sees_back(named.material, angle)) continue;
       const Vec3 energy = furnace(bench, direction_at(angle), 32768);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(energy[c], 1, 0.01f) << named.name << " at " << angle;
+      // From inside, the coat on rough glass adds to a reflectance whose losses are those of bare glass.
+      const float error = angle > 90 && is_coated_rough_glass(named.material) ? 0.02f : 0.01f;
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(energy[c], 1, error) << named.name << " at " << angle;
     }
   }
 }
@@ -111,7 +117,10 @@ TEST(Bsdf, NoClosureGainsEnergy) {
       if (!sees_back(named.material, angle)) continue;
       const Vec3 energy = furnace(bench, direction_at(angle), 8192);
       // KHR_materials_specular on rough glass reuses the tables of plain glass: off by 6 % at the most (dielectric.h).
-      const float most = named.name.starts_with("weak_specular_glass") ? 1.065f : 1.012f;
+      // The film on rough glass likewise, by 2 %.
+      const float most = named.name.starts_with("weak_specular_glass") ? 1.065f
+                         : named.name.starts_with("filmed_glass")      ? 1.02f
+                                                                       : 1.012f;
       EXPECT_LT(max_component(energy), most) << named.name << " at " << angle;
       EXPECT_GT(max_component(energy), 0.05f) << named.name << " at " << angle;
     }

