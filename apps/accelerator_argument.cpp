@@ -24,7 +24,7 @@ std::vector<std::string> keys_of(AcceleratorKind kind) {
     case AcceleratorKind::embree:
       return {"quality", "robust", "compact", "isa", "frequency"};
     case AcceleratorKind::wide:
-      return {"quality", "compact"};
+      return {"quality", "compact", "isa"};
     case AcceleratorKind::sah:
       return {"quality"};
     case AcceleratorKind::report:
@@ -47,7 +47,11 @@ void set_option(AcceleratorOptions& options, const std::string& option, std::str
   } else if (key == "compact") {
     options.is_compact = parse_word(name, value, {"off", "on"}) == 1;
   } else if (key == "isa") {
-    parse_word(name, value, {"sse2", "sse4.2", "avx", "avx2", "avx512"});
+    if (options.kind == AcceleratorKind::wide) {
+      parse_word(name, value, wide_instruction_sets());
+    } else {
+      parse_word(name, value, {"sse2", "sse4.2", "avx", "avx2", "avx512"});
+    }
     options.isa = value;
   } else {
     parse_word(name, value, {"simd128", "simd256", "simd512"});

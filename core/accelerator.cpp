@@ -18,8 +18,8 @@ namespace {
 constexpr std::array names = {"embree", "report", "sah", "wide", "brute"};
 
 template <typename Node>
-std::unique_ptr<Accelerator> make_wide(const Scene& scene, HitFilter filter, BuildQuality quality) {
-  return std::make_unique<TwoLevelAccelerator<WideTriangles<Node>, WideBoxes<Node>>>(scene, filter, quality);
+std::unique_ptr<Accelerator> make_wide(const Scene& scene, HitFilter filter, const AcceleratorOptions& options) {
+  return std::make_unique<TwoLevelAccelerator<WideTriangles<Node>, WideBoxes<Node>>>(scene, filter, options);
 }
 
 }  // namespace
@@ -39,14 +39,14 @@ std::unique_ptr<Accelerator> make_accelerator(const Scene& scene, HitFilter filt
     case AcceleratorKind::embree:
       break;
     case AcceleratorKind::report:
-      return std::make_unique<TwoLevelAccelerator<ReportTriangles, ReportBoxes>>(scene, filter, options.quality);
+      return std::make_unique<TwoLevelAccelerator<ReportTriangles, ReportBoxes>>(scene, filter, options);
     case AcceleratorKind::sah:
-      return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options.quality);
+      return std::make_unique<TwoLevelAccelerator<SahTriangles, SahBoxes>>(scene, filter, options);
     case AcceleratorKind::wide:
-      if (options.is_compact) return make_wide<CompactNode>(scene, filter, options.quality);
-      return make_wide<WideNode>(scene, filter, options.quality);
+      if (options.is_compact) return make_wide<CompactNode>(scene, filter, options);
+      return make_wide<WideNode>(scene, filter, options);
     case AcceleratorKind::brute:
-      return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options.quality);
+      return std::make_unique<TwoLevelAccelerator<BruteTriangles, BruteBoxes>>(scene, filter, options);
   }
   return make_embree_accelerator(scene, filter, options);
 }

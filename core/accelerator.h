@@ -52,6 +52,10 @@ std::string accelerator_name(AcceleratorKind kind);
 /// Nothing for a name that is not among them.
 std::optional<AcceleratorKind> accelerator_from_name(std::string_view name);
 
+/// The words of AcceleratorOptions::isa for which `wide` has code in this build that this processor runs, the best one
+/// last: "sse4.2", "avx2", "avx512" (levels 2, 3 and 4 of x86-64).
+std::vector<std::string> wide_instruction_sets();
+
 /// What a build may cost for what it saves later.
 enum class BuildQuality : std::uint8_t { low, medium, high };
 
@@ -60,7 +64,7 @@ struct AcceleratorOptions {
   BuildQuality quality = BuildQuality::medium;  ///< Of those that have a choice.
   bool is_robust = true;                        ///< Embree: no ray slips between two triangles of a closed mesh.
   bool is_compact = false;                      ///< Embree: less memory, slower rays. Wide: nodes of 8-bit planes.
-  std::string isa;              ///< Embree: the instruction set, as its documentation names them; empty: the best.
+  std::string isa;  ///< Embree, wide: the instruction set, as Embree's documentation names them; empty: the best.
   std::string frequency_level;  ///< Embree: the widest vectors, "simd128" to "simd512"; empty: its own choice.
 };
 

@@ -12,7 +12,7 @@ namespace candil {
 
 class BruteTriangles {
  public:
-  static BruteTriangles build(std::span<const MeshPart> parts, BuildQuality /*quality*/) {
+  static BruteTriangles build(std::span<const MeshPart> parts, const AcceleratorOptions& /*options*/) {
     BruteTriangles brute;
     brute.parts_.assign(parts.begin(), parts.end());
     return brute;
@@ -63,7 +63,7 @@ class BruteTriangles {
 /// Every item is visited, whatever its box.
 class BruteBoxes {
  public:
-  static BruteBoxes build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
+  static BruteBoxes build(std::span<const Bounds> boxes, const AcceleratorOptions& /*options*/) {
     BruteBoxes brute;
     brute.count_ = static_cast<std::uint32_t>(boxes.size());
     return brute;

@@ -26,6 +26,8 @@ struct alignas(32) CompactNode {
 };
 static_assert(sizeof(CompactNode) == 96);
 
+inline namespace CANDIL_TARGET {
+
 /// Of which these are the exponents.
 inline Float4 powers_of_two(const std::uint8_t (&exponents)[4]) {
   using Int4 = std::int32_t __attribute__((vector_size(16)));
@@ -59,6 +61,8 @@ inline Int8 enter_children(const CompactNode& node, const WideRay& ray, float t_
   std::memcpy(&child, node.child, sizeof child);
   return near | (near > far) | (child == splat8(static_cast<std::int32_t>(CompactNode::no_child)));
 }
+
+}  // namespace CANDIL_TARGET
 
 /// Nodes of either kind from those that are built; on all threads of the calling task arena.
 template <typename Node>

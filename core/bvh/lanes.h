@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/bvh/target.h"
+
 #if defined(__AVX2__) && defined(__FMA__)
 #define CANDIL_AVX2 1
 #include <immintrin.h>
@@ -21,6 +23,8 @@ namespace candil {
 inline constexpr int lane_count = 8;
 using Float8 = float __attribute__((vector_size(32)));
 using Int8 = std::int32_t __attribute__((vector_size(32)));
+
+inline namespace CANDIL_TARGET {
 
 inline Float8 load8(const void* aligned) {
   Float8 v;
@@ -116,4 +120,5 @@ inline Keys8 without_lane(Keys8 keys, unsigned lane) {
 
 #endif
 
+}  // namespace CANDIL_TARGET
 }  // namespace candil

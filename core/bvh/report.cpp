@@ -46,7 +46,7 @@ ReportTree ReportTree::build(std::span<const Bounds> boxes) {
   return tree;
 }
 
-ReportTriangles ReportTriangles::build(std::span<const MeshPart> parts, BuildQuality /*quality*/) {
+ReportTriangles ReportTriangles::build(std::span<const MeshPart> parts, const AcceleratorOptions& /*options*/) {
   ReportTriangles report;
   report.parts_.assign(parts.begin(), parts.end());
   TriangleList list = list_triangles(parts);
@@ -55,7 +55,7 @@ ReportTriangles ReportTriangles::build(std::span<const MeshPart> parts, BuildQua
   return report;
 }
 
-ReportBoxes ReportBoxes::build(std::span<const Bounds> boxes, BuildQuality /*quality*/) {
+ReportBoxes ReportBoxes::build(std::span<const Bounds> boxes, const AcceleratorOptions& /*options*/) {
   ReportBoxes report;
   report.tree_ = ReportTree::build(boxes);
   return report;

@@ -57,7 +57,7 @@ class ReportTree {
 
 class ReportTriangles {
  public:
-  static ReportTriangles build(std::span<const MeshPart> parts, BuildQuality quality);
+  static ReportTriangles build(std::span<const MeshPart> parts, const AcceleratorOptions& options);
 
   template <typename Accept>
   void intersect(const Ray& ray, TriangleHit& nearest, const Accept& accept) const {
@@ -92,7 +92,7 @@ class ReportTriangles {
 
 class ReportBoxes {
  public:
-  static ReportBoxes build(std::span<const Bounds> boxes, BuildQuality quality);
+  static ReportBoxes build(std::span<const Bounds> boxes, const AcceleratorOptions& options);
 
   template <typename Visit>
   void intersect(const Ray& ray, float& t_max, const Visit& visit) const {

@@ -27,14 +27,14 @@ std::size_t bytes_of(const std::vector<T>& values) {
 
 }  // namespace
 
-SahTriangles SahTriangles::build(std::span<const MeshPart> parts, BuildQuality quality) {
+SahTriangles SahTriangles::build(std::span<const MeshPart> parts, const AcceleratorOptions& options) {
   SahTriangles sah;
   for (const MeshPart& part : parts) {
     sah.needs_filter_.push_back(part.needs_filter);
     sah.has_filters_ = sah.has_filters_ || part.needs_filter;
   }
   const TriangleList list = list_triangles(parts);
-  BinaryTree tree = build_binned(list.bounds, {.bins = bin_count(quality), .max_leaf = max_group_size});
+  BinaryTree tree = build_binned(list.bounds, {.bins = bin_count(options.quality), .max_leaf = max_group_size});
   sah.pairs_ = std::move(tree.pairs);
   sah.ids_.resize(list.ids.size());
   sah.vertices_.resize(9 * list.ids.size() + group_padding);
@@ -57,8 +57,8 @@ std::size_t SahTriangles::memory_bytes() const {
   return bytes_of(pairs_) + bytes_of(vertices_) + bytes_of(ids_) + needs_filter_.capacity() / 8;
 }
 
-SahBoxes SahBoxes::build(std::span<const Bounds> boxes, BuildQuality quality) {
-  BinaryTree tree = build_binned(boxes, {.bins = bin_count(quality), .max_leaf = 1});
+SahBoxes SahBoxes::build(std::span<const Bounds> boxes, const AcceleratorOptions& options) {
+  BinaryTree tree = build_binned(boxes, {.bins = bin_count(options.quality), .max_leaf = 1});
   SahBoxes sah;
   sah.pairs_ = std::move(tree.pairs);
   sah.order_ = std::move(tree.order);

@@ -14,7 +14,7 @@ namespace candil {
 
 class SahTriangles {
  public:
-  static SahTriangles build(std::span<const MeshPart> parts, BuildQuality quality);
+  static SahTriangles build(std::span<const MeshPart> parts, const AcceleratorOptions& options);
 
   template <typename Accept>
   void intersect(const Ray& ray, TriangleHit& nearest, const Accept& accept) const {
@@ -60,7 +60,7 @@ class SahTriangles {
 
 class SahBoxes {
  public:
-  static SahBoxes build(std::span<const Bounds> boxes, BuildQuality quality);
+  static SahBoxes build(std::span<const Bounds> boxes, const AcceleratorOptions& options);
 
   template <typename Visit>
   void intersect(const Ray& ray, float& t_max, const Visit& visit) const {

@@ -17,6 +17,8 @@ struct alignas(64) TriangleBlock {
 };
 static_assert(sizeof(TriangleBlock) == 320);
 
+inline namespace CANDIL_TARGET {
+
 /// A ray as the axis of a frame: places across it are sheared along its largest component.
 struct BlockRay {
   explicit BlockRay(const Ray& ray) {
@@ -117,4 +119,5 @@ class BlockCrossings {
   alignas(32) float t_[lane_count], v_[lane_count], w_[lane_count], sum_[lane_count];
 };
 
+}  // namespace CANDIL_TARGET
 }  // namespace candil

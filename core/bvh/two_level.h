@@ -5,12 +5,12 @@
 /// - Bounded shapes and instances are in one hierarchy of boxes. Planes, which have no box, are asked first.
 /// A contestant provides, as core/bvh/brute.h does:
 ///     class XTriangles {
-///       static XTriangles build(std::span<const MeshPart>, BuildQuality);  // on the threads of the calling task arena
-///       template <typename Accept> void intersect(const Ray&, TriangleHit& nearest, const Accept&) const;
-///       template <typename Accept> bool occluded(const Ray&, float t_max, const Accept&) const;
-///       std::size_t memory_bytes() const; };
+///       static XTriangles build(std::span<const MeshPart>, const AcceleratorOptions&);  // on the threads of the
+///       calling task arena template <typename Accept> void intersect(const Ray&, TriangleHit& nearest, const Accept&)
+///       const; template <typename Accept> bool occluded(const Ray&, float t_max, const Accept&) const; std::size_t
+///       memory_bytes() const; };
 ///     class XBoxes {
-///       static XBoxes build(std::span<const Bounds>, BuildQuality);
+///       static XBoxes build(std::span<const Bounds>, const AcceleratorOptions&);
 ///       template <typename Visit> void intersect(const Ray&, float& t_max, const Visit&) const;
 ///       template <typename Visit> bool occluded(const Ray&, float t_max, const Visit&) const;
 ///       std::size_t memory_bytes() const; };
@@ -35,7 +35,7 @@ namespace candil {
 template <typename Triangles, typename Boxes>
 class TwoLevelAccelerator final : public Accelerator {
  public:
-  TwoLevelAccelerator(const Scene& scene, HitFilter filter, BuildQuality quality)
+  TwoLevelAccelerator(const Scene& scene, HitFilter filter, const AcceleratorOptions& options)
       : scene_(scene),
         filter_(filter),
         planes_(scene, filter),
@@ -46,14 +46,14 @@ class TwoLevelAccelerator final : public Accelerator {
     std::vector<bool> is_placed(scene.objects.size());
     for (const InstancePlacement& placement : placements_) is_placed[placement.object] = true;
     tbb::parallel_for(std::size_t{0}, objects_.size(), [&](std::size_t object) {
-      if (is_placed[object]) objects_[object] = Triangles::build(object_parts(scene, filter, object), quality);
+      if (is_placed[object]) objects_[object] = Triangles::build(object_parts(scene, filter, object), options);
     });
-    world_ = Triangles::build(world_parts_, quality);
+    world_ = Triangles::build(world_parts_, options);
     std::vector<Bounds> boxes;
     boxes.reserve(shapes_.size() + placements_.size());
     for (const ShapeTarget& shape : shapes_) boxes.push_back(shape.bounds());
     append_instance_bounds(scene, placements_, boxes);
-    items_ = Boxes::build(boxes, quality);
+    items_ = Boxes::build(boxes, options);
   }
 
   std::optional<Hit> intersect(const Ray& ray) const override {

@@ -4,29 +4,28 @@
 #include <span>
 
 #include "core/accelerator.h"
-#include "core/bvh/compact_node.h"
 #include "core/bvh/wide_build.h"
-#include "core/bvh/wide_traverse.h"
+#include "core/bvh/wide_kernels.h"
 
 namespace candil {
 
 template <typename Node>
 class WideBoxes {
  public:
-  static WideBoxes build(std::span<const Bounds> boxes, BuildQuality quality);
+  static WideBoxes build(std::span<const Bounds> boxes, const AcceleratorOptions& options);
 
   template <typename Visit>
   void intersect(const Ray& ray, float& t_max, const Visit& visit) const {
-    visit_nearest_first(nodes_.data(), WideRay(ray, bounds_), t_max,
-                        [&](std::uint32_t item, float& t_end) { visit(item, t_end); });
+    functions_->visit_items(nodes_.data(), bounds_, ray, t_max, visit);
   }
   template <typename Visit>
   bool occluded(const Ray& ray, float t_max, const Visit& visit) const {
-    return visit_until(nodes_.data(), WideRay(ray, bounds_), t_max, [&](std::uint32_t item) { return visit(item); });
+    return functions_->any_item(nodes_.data(), bounds_, ray, t_max, visit);
   }
   std::size_t memory_bytes() const { return nodes_.bytes(); }
 
  private:
+  const WideFunctions<Node>* functions_ = nullptr;
   LargeBuffer<Node> nodes_;
   Bounds bounds_;
 };

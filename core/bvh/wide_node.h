@@ -20,6 +20,8 @@ struct alignas(32) WideNode {
 };
 static_assert(sizeof(WideNode) == 224);
 
+inline namespace CANDIL_TARGET {
+
 /// Constants of a ray such that `plane * reciprocal + near` bounds from below the t at which it crosses a plane, and
 /// `plane * reciprocal + far` from above.
 ///
@@ -46,7 +48,9 @@ struct WideRay {
     const Int4 sign = std::bit_cast<Int4>(d) & Int4{INT32_MIN, INT32_MIN, INT32_MIN, 0};
     const Float4 component = std::bit_cast<Float4>(std::bit_cast<Int4>(size > least ? size : least) | sign);
     const Float4 r = 1 / component;
-    const float reach = max_component(maximum(absolute(to_lanes(bounds.low) - o), absolute(to_lanes(bounds.high) - o)));
+    // Qualified: those of eight lanes would hide it.
+    const float reach =
+        max_component(candil::maximum(absolute(to_lanes(bounds.low) - o), absolute(to_lanes(bounds.high) - o)));
     const Float4 margin = absolute(r) * (splat(0x1p-20f * reach) + 0x1p-22f * absolute(o));
     const Float4 product = o * r;
     reciprocal = r, near = -product - margin, far = margin - product;
@@ -79,4 +83,5 @@ inline Int8 enter_children(const WideNode& node, const WideRay& ray, float t_max
   return near | (near > far);
 }
 
+}  // namespace CANDIL_TARGET
 }  // namespace candil

@@ -4,6 +4,7 @@
 #include "core/bvh/wide_node.h"
 
 namespace candil {
+inline namespace CANDIL_TARGET {
 
 /// No tree is deeper: see max_binary_depth in core/bvh/binary_build.h.
 inline constexpr int max_wide_depth = 80;
@@ -82,4 +83,5 @@ bool visit_until(const Node* nodes, const WideRay& ray, float t_max, const Leaf&
   }
 }
 
+}  // namespace CANDIL_TARGET
 }  // namespace candil

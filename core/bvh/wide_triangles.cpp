@@ -26,7 +26,7 @@ TreeSettings tree_settings(BuildQuality quality) {
 }  // namespace
 
 template <typename Node>
-WideTriangles<Node> WideTriangles<Node>::build(std::span<const MeshPart> parts, BuildQuality quality) {
+WideTriangles<Node> WideTriangles<Node>::build(std::span<const MeshPart> parts, const AcceleratorOptions& options) {
   WideTriangles result;
   std::size_t count = 0;
   for (const MeshPart& part : parts) {
@@ -45,7 +45,8 @@ WideTriangles<Node> WideTriangles<Node>::build(std::span<const MeshPart> parts, 
       }
     });
   }
-  WideTree tree = build_wide_tree({refs.data(), refs.size()}, tree_settings(quality));
+  WideTree tree = build_wide_tree({refs.data(), refs.size()}, tree_settings(options.quality));
+  result.functions_ = &wide_kernels(options.isa).of<Node>();
   result.blocks_ = LargeBuffer<TriangleBlock>(std::max<std::size_t>(1, tree.leaves.size()));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.leaves.size(), 256), [&](const auto& range) {
     for (std::size_t leaf = range.begin(); leaf < range.end(); ++leaf) {

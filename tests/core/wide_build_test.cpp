@@ -167,7 +167,7 @@ TYPED_TEST_SUITE(WideBoxesOf, NodeKinds);
 TYPED_TEST(WideBoxesOf, EitherNodeAreVisitedNearestFirst) {
   std::vector<Bounds> boxes;
   for (int i = 0; i < 100; ++i) boxes.push_back({Vec3(2 * i, 0, 0), Vec3(2 * i + 1, 1, 1)});
-  const auto wide = WideBoxes<TypeParam>::build(boxes, BuildQuality::medium);
+  const auto wide = WideBoxes<TypeParam>::build(boxes, AcceleratorOptions{});
   for (const bool is_forwards : {true, false}) {
     const Ray ray{Vec3(is_forwards ? -1 : 200, 0.5f, 0.5f), Vec3(is_forwards ? 1 : -1, 0, 0)};
     float t_max = 100;  // box i begins at 2 i + 1 forwards, at 199 - 2 i backwards: 0 to 49, or 99 down to 50
@@ -188,7 +188,7 @@ TYPED_TEST(WideBoxesOf, EitherNodeAreVisitedNearestFirst) {
 // Rays in the planes of the faces, along edges and through corners of a box, components of +0 and -0: always inside.
 TYPED_TEST(WideBoxesOf, EitherNodeAreEnteredInTheirFaces) {
   const Bounds box{Vec3(-1, 2, 5), Vec3(1, 3, 9)};
-  const auto wide = WideBoxes<TypeParam>::build(std::vector<Bounds>{box}, BuildQuality::medium);
+  const auto wide = WideBoxes<TypeParam>::build(std::vector<Bounds>{box}, AcceleratorOptions{});
   const auto is_entered = [&](Vec3 through, Vec3 direction) {
     return wide.occluded({through - 20.0f * direction, direction}, infinity, [](std::uint32_t) { return true; });
   };

@@ -1,7 +1,10 @@
 #include "tests/support/accelerator_cases.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "core/warp.h"
@@ -13,12 +16,15 @@ namespace candil::test {
 
 AcceleratorOptions AcceleratorChoice::options() const {
   AcceleratorOptions options;
-  options.kind = kind, options.quality = quality, options.is_compact = is_compact;
+  options.kind = kind, options.quality = quality, options.is_compact = is_compact, options.isa = isa;
   return options;
 }
 
 std::string AcceleratorChoice::name() const {
-  return accelerator_name(kind) + (quality == BuildQuality::high ? "_high" : "") + (is_compact ? "_compact" : "");
+  std::string instruction_set;
+  std::ranges::copy_if(isa, std::back_inserter(instruction_set), [](unsigned char c) { return std::isalnum(c) != 0; });
+  return accelerator_name(kind) + (quality == BuildQuality::high ? "_high" : "") + (is_compact ? "_compact" : "") +
+         (isa.empty() ? "" : "_" + instruction_set);
 }
 
 std::vector<AcceleratorChoice> accelerator_choices() {
@@ -26,6 +32,12 @@ std::vector<AcceleratorChoice> accelerator_choices() {
   for (const std::string& name : accelerator_names()) choices.push_back({*accelerator_from_name(name)});
   choices.push_back({AcceleratorKind::wide, BuildQuality::high, false});
   choices.push_back({AcceleratorKind::wide, BuildQuality::medium, true});
+  std::vector<std::string> instruction_sets = wide_instruction_sets();
+  instruction_sets.pop_back();  // the best is the default
+  for (const std::string& isa : instruction_sets) {
+    for (const bool is_compact : {false, true})
+      choices.push_back({AcceleratorKind::wide, BuildQuality::medium, is_compact, isa});
+  }
   return choices;
 }
 

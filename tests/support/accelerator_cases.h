@@ -18,13 +18,14 @@ struct AcceleratorChoice {
   AcceleratorKind kind = AcceleratorKind::embree;
   BuildQuality quality = BuildQuality::medium;
   bool is_compact = false;
+  std::string isa = {};
 
   AcceleratorOptions options() const;
   std::string name() const;  ///< Letters and _.
 };
 
-/// All kinds that there are, and wide with each of its options: tests that go through them need no change for a new
-/// one.
+/// All kinds that there are, and wide with each of its options and instruction sets: tests that go through them need no
+/// change for a new one.
 std::vector<AcceleratorChoice> accelerator_choices();
 inline std::string choice_name(const testing::TestParamInfo<AcceleratorChoice>& test) { return test.param.name(); }
 std::unique_ptr<Accelerator> make_accelerator_of(const AcceleratorChoice& choice,
