@@ -197,7 +197,7 @@ TEST_P(GltfAnimationPointer, MovesWhatItNames) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, GltfAnimationPointer, testing::ValuesIn(pointer_cases),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 TEST(GltfAnimation, MovesTextureTransforms) {
   AnimatedSample sample;
