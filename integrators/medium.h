@@ -38,4 +38,14 @@ inline bool is_in_scattering_medium(const PathState& state, const Scene& scene) 
   return state.medium != invalid_id && scene.materials[state.medium].scatters();
 }
 
+/// Moves a path through whatever medium it is in, if any, towards the surface `distance` metres on; MediumStep::surface
+/// when it gets there.
+inline MediumStep cross_medium(PathState& state, const Scene& scene, float distance, const Sampler& sampler) {
+  if (is_in_scattering_medium(state, scene)) {
+    return step_in_medium(state, medium_of(scene.materials[state.medium]), distance, sampler);
+  }
+  if (state.medium != invalid_id) state.throughput *= volume_transmittance(scene, state.medium, distance);
+  return MediumStep::surface;
+}
+
 }  // namespace candil

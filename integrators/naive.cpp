@@ -17,15 +17,11 @@ PathSample trace_naive(const RenderContext& context, const RenderSettings& setti
       state.radiance += state.throughput * background(context, state);
       break;
     }
-    if (is_in_scattering_medium(state, context.scene)) {
-      const MediumStep step = step_in_medium(state, medium_of(context.scene.materials[state.medium]), hit->t, sampler);
-      if (step == MediumStep::ended) break;
-      if (step == MediumStep::scattered) {
-        ++rays.bounce;
-        continue;
-      }
-    } else if (state.medium != invalid_id) {
-      state.throughput *= volume_transmittance(context.scene, state.medium, hit->t);
+    const MediumStep step = cross_medium(state, context.scene, hit->t, sampler);
+    if (step == MediumStep::ended) break;
+    if (step == MediumStep::scattered) {
+      ++rays.bounce;
+      continue;
     }
     SurfacePoint point = make_surface_point(context.scene, *hit);
     const Vec3 wo = -state.ray.direction;

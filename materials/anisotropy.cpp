@@ -6,25 +6,13 @@
 
 #include "core/sampler.h"
 #include "materials/facet_energy.h"
+#include "materials/grid_position.h"
 
 namespace candil {
 namespace {
 
 constexpr std::uint32_t sample_count = 512;
 const float least_roughness = std::sqrt(ggx_min_alpha);
-
-/// A place between two of `count` grid points.
-struct Place {
-  int index;
-  float fraction;
-  Place(float coordinate, int count) {
-    const float position = glm::clamp(coordinate, 0.0f, 1.0f) * static_cast<float>(count - 1);
-    index = glm::min(static_cast<int>(position), count - 2);
-    fraction = position - static_cast<float>(index);
-  }
-};
-
-float grid_coordinate(int index, int count) { return static_cast<float>(index) / static_cast<float>(count - 1); }
 
 /// Where `value` lies between `low` and `high`, which may be the same.
 float coordinate_between(float low, float high, float value) {
@@ -59,7 +47,7 @@ Vec2 anisotropic_alpha(float roughness, float strength) {
 
 /// The four rows around a pair of roughnesses.
 struct AnisotropicGrid::Rows {
-  Place roughness, strength;
+  GridPosition roughness, strength;
   explicit Rows(Vec2 perceptual)
       : roughness(coordinate_between(least_roughness, 1, perceptual.y), roughness_count),
         strength(coordinate_between(perceptual.y, 1, perceptual.x), strength_count) {}
@@ -116,8 +104,8 @@ Vec2 AnisotropicGrid::directional(Vec2 alpha, Vec3 w) const {
   const float steepness = glm::sqrt(sqr(alpha.x * w.x) + sqr(alpha.y * w.y));  // projected alpha times the sine
   const float projected = sin2 > 0 ? steepness / glm::sqrt(sin2) : alpha.y;
   const Rows rows(perceptual);
-  const Place azimuth(coordinate_between(perceptual.y, perceptual.x, glm::sqrt(projected)), azimuth_count);
-  const Place slope(slope_coordinate(steepness / glm::max(glm::abs(w.z), 1e-6f)), slope_count);
+  const GridPosition azimuth(coordinate_between(perceptual.y, perceptual.x, glm::sqrt(projected)), azimuth_count);
+  const GridPosition slope(slope_coordinate(steepness / glm::max(glm::abs(w.z), 1e-6f)), slope_count);
   const std::size_t offset =
       static_cast<std::size_t>(azimuth.index) * slope_count + static_cast<std::size_t>(slope.index);
   return rows.interpolate([&](std::size_t cell) {

@@ -4,25 +4,13 @@
 
 #include "core/sampler.h"
 #include "materials/facet_energy.h"
+#include "materials/grid_position.h"
 
 namespace candil {
 namespace {
 
 constexpr int roughness_count = AlbedoGrid::roughness_count, cosine_count = AlbedoGrid::cosine_count;
 constexpr std::uint32_t sample_count = 512;
-
-/// Interpolation between the two grid points around a coordinate in [0, 1].
-struct GridPosition {
-  int index;
-  float fraction;
-  GridPosition(float coordinate, int count) {
-    const float position = glm::clamp(coordinate, 0.0f, 1.0f) * static_cast<float>(count - 1);
-    index = glm::min(static_cast<int>(position), count - 2);
-    fraction = position - static_cast<float>(index);
-  }
-};
-
-float grid_coordinate(int index, int count) { return static_cast<float>(index) / static_cast<float>(count - 1); }
 
 Vec3 direction_of_cosine(float cosine) {
   const float z = glm::max(cosine, 1e-4f);  // the limit of grazing incidence
