@@ -27,6 +27,9 @@ void take_over(const RenderOptions& options, LoadedScene& loaded, PreparedScene&
 
 /// All that is made of the scene but the accelerator.
 void add_tables(const RenderOptions& options, PreparedScene& prepared) {
+  if (prepared.scene.instances.empty() && prepared.scene.shapes.empty())
+    prepared.warnings.push_back(options.scene.string() +
+                                ": no surface is in the scene, the picture shows the background");
   prepared.lights = std::make_unique<LightSampler>(prepared.scene);
   if (prepared.lights->is_empty())
     prepared.warnings.push_back(options.scene.string() + ": no light, the picture will be black");

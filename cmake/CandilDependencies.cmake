@@ -17,7 +17,6 @@ string(REGEX MATCH "^[0-9]+" CANDIL_EMBREE_MAJOR "${embree_VERSION}")
 message(STATUS "Embree ${embree_VERSION}")
 
 find_package(CandilOpenImageIO REQUIRED)
-find_package(CandilZstd REQUIRED)
 
 # tinygltf is compiled into io/ with our own choice of its options: only its header is needed.
 find_path(CANDIL_TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
@@ -42,5 +41,15 @@ if(CANDIL_MESHOPTIMIZER)
   if(NOT TARGET meshoptimizer::meshoptimizer)
     message(STATUS "meshoptimizer not found (Debian and Ubuntu: libmeshoptimizer-dev): no meshopt compression")
     set(CANDIL_MESHOPTIMIZER OFF)
+  endif()
+endif()
+
+# Textures in KTX2 files: those of UASTC may be packed once more.
+option(CANDIL_ZSTD "Read KTX2 textures under Zstandard, if libzstd is found" ON)
+if(CANDIL_ZSTD)
+  find_package(CandilZstd QUIET)
+  if(NOT TARGET Candil::Zstd)
+    message(STATUS "libzstd not found (Debian and Ubuntu: libzstd-dev): no KTX2 textures under Zstandard")
+    set(CANDIL_ZSTD OFF)
   endif()
 endif()

@@ -54,7 +54,9 @@ std::vector<AnimationSummary> list_animations(const GltfDocument& document) {
     for (const GltfAnimationSampler& sampler : animation.samplers) {
       const auto [end, is_new] = ends.try_emplace(sampler.input);
       const std::size_t count = accessor_count(document, sampler.input);
-      if (is_new && count > 0 && accessor_kind(document, sampler.input).type == "SCALAR") {
+      const AccessorKind kind = accessor_kind(document, sampler.input);
+      // Other inputs are refused when the animation is chosen.
+      if (is_new && count > 0 && kind.type == "SCALAR" && kind.has_floats) {
         end->second = read_floats(document, sampler.input, count - 1, 1, indexed("animations", a)).front();
       }
       if (std::isfinite(end->second)) summary.seconds = std::max(summary.seconds, end->second);

@@ -35,6 +35,14 @@ std::pair<const json*, std::string> find_meshopt(const json& object) {
   return {};
 }
 
+/// Whether a buffer may go without bytes where the views into it are decompressed.
+bool is_meshopt_fallback(const json& buffer) {
+  const auto extensions = buffer.find("extensions");
+  return extensions != buffer.end() && std::ranges::any_of(meshopt_names, [&](const char* name) {
+           return extensions->contains(name) && extensions->at(name).value("fallback", false);
+         });
+}
+
 class BufferReader {
  public:
   BufferReader(const json& root, const GltfContainer& container, const std::filesystem::path& folder,
@@ -93,6 +101,8 @@ class BufferReader {
     } else if (index == 0 && container_.binary) {
       bytes = *container_.binary;
     } else {
+      if (is_meshopt_fallback(buffer) && !has_meshopt())
+        decode_meshopt({}, name_, place);  // which says what is missing
       throw InputError(name_, place, "has no uri and the file no binary chunk for it");
     }
     const auto length = buffer.at("byteLength").get<std::size_t>();
@@ -125,6 +135,11 @@ class BufferReader {
   void read_view(std::size_t index) {
     const json& view = views_[index];
     const std::string place = "bufferViews[" + std::to_string(index) + "]";
+    const auto stride = view.value("byteStride", std::size_t{0});
+    // Specification, section 5.11.4; exporters that write 0 mean none.
+    if (stride % 4 != 0 || stride > 252) {
+      throw InputError(name_, place + ".byteStride", "must be 4, 8, ... or 252, not " + std::to_string(stride));
+    }
     const auto [meshopt, extension] = find_meshopt(view);
     if (meshopt == nullptr) {
       result_.views.push_back(slice(view, place));
@@ -139,7 +154,7 @@ class BufferReader {
     compressed.meshopt.mode = meshopt->at("mode").get<std::string>();
     compressed.meshopt.filter = meshopt->value("filter", "NONE");
     compressed.meshopt.view_bytes = find_range(view, place).second;
-    compressed.meshopt.view_stride = view.value("byteStride", std::size_t{0});
+    compressed.meshopt.view_stride = stride;
     check_meshopt_view(compressed.meshopt, name_, compressed.place);
     result_.views.emplace_back();
   }

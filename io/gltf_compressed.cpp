@@ -60,8 +60,7 @@ class StreamCollector {
     if (vertices >= invalid_id || corners / 3 >= invalid_id) document_.fail(draco_place, "has too many vertices");
     Stream& stream = find(draco.Get("bufferView").GetNumberAsInt(), draco_place, vertices);
     stream.request.most_triangles = std::max(stream.request.most_triangles, is_strip ? corners : corners / 3);
-    const bool is_bare =
-        primitive.indices >= 0 && model_.accessors[std::size_t(primitive.indices)].bufferView == stream.view;
+    const bool is_bare = primitive.indices >= 0 && model_.accessors[std::size_t(primitive.indices)].bufferView < 0;
     if (is_bare) stream.indices.push_back(primitive.indices);
     const tinygltf::Value& attributes = draco.Get("attributes");
     for (const std::string& semantic : attributes.Keys()) {
@@ -127,6 +126,23 @@ void check_expansion(const GltfDocument& document, const std::vector<Stream>& st
   }
 }
 
+/// Without a decoder, primitives need the values that may stand beside their streams; zeros would be shown otherwise.
+void check_plain_accessors(const GltfDocument& document) {
+  const tinygltf::Model& model = document.model();
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    for (std::size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
+      const tinygltf::Primitive& primitive = model.meshes[m].primitives[p];
+      const auto positions = primitive.attributes.find("POSITION");
+      if (draco_of(primitive) == nullptr || positions == primitive.attributes.end()) continue;
+      if (model.accessors[std::size_t(positions->second)].bufferView >= 0) continue;
+      DracoRequest request;
+      request.place = "meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) +
+                      "].extensions.KHR_draco_mesh_compression";
+      decode_draco(request, document.name());  // which says what is missing
+    }
+  }
+}
+
 }  // namespace
 
 const Bytes* CompressedPrimitives::accessor(int index) const {
@@ -143,7 +159,10 @@ const std::vector<Triangle>* CompressedPrimitives::triangles(const tinygltf::Pri
 
 CompressedPrimitives decode_primitives(const GltfDocument& document) {
   CompressedPrimitives result;
-  if (!has_draco()) return result;
+  if (!has_draco()) {
+    check_plain_accessors(document);
+    return result;
+  }
   std::vector<Stream> streams = StreamCollector(document).collect();
   check_expansion(document, streams);
   tbb::parallel_for(std::size_t{0}, streams.size(), [&](std::size_t i) {

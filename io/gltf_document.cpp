@@ -9,7 +9,6 @@
 #include "io/error.h"
 #include "io/gltf_container.h"
 #include "io/gltf_count.h"
-#include "io/gltf_draco.h"
 #include "io/gltf_extensions.h"
 #include "io/gltf_schema.h"
 
@@ -153,18 +152,29 @@ json movable_parts(const json& root) {
   return parts;
 }
 
-/// tinygltf wants a buffer view of every accessor of indices; those of Draco streams may go without. They get the view
-/// of the stream, which nobody will read as indices (see decode_primitives()).
-void lend_views_to_draco_indices(json& root) {
-  if (!root.contains("meshes")) return;
-  for (json& mesh : root.at("meshes")) {
-    for (json& primitive : mesh.at("primitives")) {
-      const json::json_pointer draco("/extensions/KHR_draco_mesh_compression/bufferView");
-      if (!primitive.contains("indices") || !primitive.contains(draco)) continue;
-      json& accessor = root.at("accessors").at(primitive.at("indices").get<std::size_t>());
-      if (!accessor.contains("bufferView")) accessor["bufferView"] = primitive.at(draco);
+/// Indices of a primitive whose accessor has no buffer view.
+struct BareIndices {
+  std::size_t mesh, primitive;
+  int accessor;
+};
+
+/// tinygltf refuses accessors of indices without a buffer view. Those of Draco streams may go without, and so may those
+/// of zeros that sparse ones replace: they are taken out of the JSON, to be put back into what tinygltf makes of it.
+std::vector<BareIndices> take_bare_indices(json& root) {
+  std::vector<BareIndices> taken;
+  if (!root.contains("meshes")) return taken;
+  json& meshes = root.at("meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    json& primitives = meshes[m].at("primitives");
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      if (!primitives[p].contains("indices")) continue;
+      const int accessor = primitives[p].at("indices").get<int>();
+      if (root.at("accessors").at(static_cast<std::size_t>(accessor)).contains("bufferView")) continue;
+      taken.push_back({m, p, accessor});
+      primitives[p].erase("indices");
     }
   }
+  return taken;
 }
 
 /// What the loader reads through tinygltf: without the parts that hold bytes, and without those candil has no use for.
@@ -219,8 +229,10 @@ GltfDocument::GltfDocument(const std::filesystem::path& path, std::span<const st
   }
   for (const json& animation : array_of(root, "animations")) animations_.push_back(read_animation(animation));
   for (const json& skin : array_of(root, "skins")) skins_.push_back(read_skin(skin));
-  if (has_draco()) lend_views_to_draco_indices(root);
+  const std::vector<BareIndices> bare = take_bare_indices(root);
   model_ = parse_model(reduced_json(root), name_);
+  for (const BareIndices& indices : bare)
+    model_->meshes[indices.mesh].primitives[indices.primitive].indices = indices.accessor;
   movable_ = std::make_unique<json>(animations_.empty() ? json::object() : movable_parts(root));
   compressed_primitives_ = decode_primitives(*this);
 }

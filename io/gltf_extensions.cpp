@@ -22,6 +22,14 @@ constexpr std::string_view no_meshopt;
 constexpr std::string_view no_meshopt = "libmeshoptimizer-dev";
 #endif
 
+#ifdef CANDIL_HAS_ZSTD
+constexpr GltfTier basisu_tier = GltfTier::full;
+constexpr std::string_view basisu_remark;
+#else
+constexpr GltfTier basisu_tier = GltfTier::partial;
+constexpr std::string_view basisu_remark = "nothing under Zstandard: this build has no libzstd-dev";
+#endif
+
 constexpr std::array table = std::to_array<GltfExtension>({
     {"ADOBE_materials_clearcoat_specular", GltfTier::unsupported},
     {"ADOBE_materials_clearcoat_tint", GltfTier::unsupported},
@@ -36,8 +44,8 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"EXT_mesh_manifold", GltfTier::harmless, "topology of the same triangles"},
     {"EXT_meshopt_compression", GltfTier::full, {}, no_meshopt},
     {"EXT_structural_metadata", GltfTier::harmless, "metadata"},
-    {"EXT_texture_avif", GltfTier::full},
-    {"EXT_texture_webp", GltfTier::full},
+    {"EXT_texture_avif", GltfTier::full, {}, {}, ImageFormat::avif},
+    {"EXT_texture_webp", GltfTier::full, {}, {}, ImageFormat::webp},
     {"FB_geometry_metadata", GltfTier::harmless, "metadata"},
     {"FB_ngon_encoding", GltfTier::harmless, "polygons of the same triangles"},
     {"GODOT_single_root", GltfTier::harmless, "structure"},
@@ -69,7 +77,7 @@ constexpr std::array table = std::to_array<GltfExtension>({
     {"KHR_node_selectability", GltfTier::harmless, "interaction"},
     {"KHR_node_visibility", GltfTier::full},
     {"KHR_techniques_webgl", GltfTier::unsupported},
-    {"KHR_texture_basisu", GltfTier::full},
+    {"KHR_texture_basisu", basisu_tier, basisu_remark},
     {"KHR_texture_transform", GltfTier::full},
     {"KHR_xmp", GltfTier::harmless, "metadata"},
     {"KHR_xmp_json_ld", GltfTier::harmless, "metadata"},
@@ -82,8 +90,9 @@ constexpr std::array table = std::to_array<GltfExtension>({
 
 /// Also for one that nobody has heard of.
 GltfExtension find_extension(std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == name; });
-  return found == table.end() ? GltfExtension{name, GltfTier::unsupported} : *found;
+  const std::span<const GltfExtension> all = gltf_extensions();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& row) { return row.name == name; });
+  return found == all.end() ? GltfExtension{name, GltfTier::unsupported} : *found;
 }
 
 }  // namespace
@@ -109,7 +118,19 @@ std::string GltfExtension::explanation() const {
   return "this build has no " + std::string(missing_package) + (remark.empty() ? "" : "; " + std::string(remark));
 }
 
-std::span<const GltfExtension> gltf_extensions() { return table; }
+std::span<const GltfExtension> gltf_extensions() {
+  static const std::vector<GltfExtension> all = gltf_extensions_with(can_read);
+  return all;
+}
+
+std::vector<GltfExtension> gltf_extensions_with(const std::function<bool(ImageFormat)>& has_reader) {
+  std::vector<GltfExtension> all(table.begin(), table.end());
+  for (GltfExtension& row : all) {
+    if (!row.image || has_reader(*row.image)) continue;
+    row.missing_package = *row.image == ImageFormat::avif ? "OpenImageIO with libheif" : "OpenImageIO with libwebp";
+  }
+  return all;
+}
 
 bool is_supported_gltf_extension(std::string_view extension, Experiments experiments) {
   return find_extension(extension).is_honoured() || is_turned_on(extension, experiments);

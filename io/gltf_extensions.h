@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "io/gltf_contents.h"
+#include "io/image_decoder.h"
 
 namespace candil {
 
@@ -26,6 +28,7 @@ struct GltfExtension {
   GltfTier tier;
   std::string_view remark = {};           ///< What is approximated, missing or ignored, in a few words.
   std::string_view missing_package = {};  ///< Without which this build does not have it.
+  std::optional<ImageFormat> image = {};  ///< What its images are, where OpenImageIO may lack a reader of them.
 
   /// One of: full, partial, ignored, experimental, unsupported, unavailable (for want of a package).
   std::string_view tier_word() const;
@@ -37,6 +40,9 @@ struct GltfExtension {
 
 /// All that candil knows of, by name.
 std::span<const GltfExtension> gltf_extensions();
+
+/// The same with an OpenImageIO that has readers for the formats of which `has_reader` is true.
+std::vector<GltfExtension> gltf_extensions_with(const std::function<bool(ImageFormat)>& has_reader);
 
 /// Experimental extensions that are turned on, by name.
 using Experiments = std::span<const std::string>;

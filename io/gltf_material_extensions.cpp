@@ -104,6 +104,24 @@ void read_clearcoat(const GltfProperties& properties, MaterialExtensions& more) 
   properties.read("clearcoatNormalTexture", more.clearcoat_normal_texture, more.clearcoat_normal_scale);
 }
 
+/// One line for what a material says in vain: by their own texts these extensions go neither with
+/// KHR_materials_pbrSpecularGlossiness nor with KHR_materials_unlit.
+void warn_of_excluded(const MaterialSource& source, const char* by) {
+  constexpr const char* metallic_roughness_only[] = {
+      "KHR_materials_anisotropy", "KHR_materials_clearcoat",     "KHR_materials_diffuse_transmission",
+      "KHR_materials_dispersion", "KHR_materials_ior",           "KHR_materials_iridescence",
+      "KHR_materials_sheen",      "KHR_materials_specular",      "KHR_materials_transmission",
+      "KHR_materials_volume",     "KHR_materials_volume_scatter"};
+  std::string names;
+  int count = 0;
+  for (const char* name : metallic_roughness_only) {
+    if (source.has_extension(name)) names += (count++ == 0 ? "" : ", ") + std::string(name);
+  }
+  if (count == 0) return;
+  source.warnings.add(source.place + ".extensions",
+                      names + (count == 1 ? " does" : " do") + " not go with " + by + ", which alone is used");
+}
+
 /// Whether a surface looks other with the extensions than without.
 bool has_effect(const MaterialExtensions& more) {
   return more.clearcoat > 0 || !is_black(more.sheen_color) || more.anisotropy > 0 || more.iridescence > 0 ||
@@ -114,10 +132,14 @@ bool has_effect(const MaterialExtensions& more) {
 
 void read_material_extensions(const MaterialSource& source, Material& material) {
   material.is_unlit = source.has_extension("KHR_materials_unlit");
-  if (material.is_unlit) return;  // base colour, alpha and sides are all of it; the others exclude it
+  if (material.is_unlit) {
+    warn_of_excluded(source, "KHR_materials_unlit");
+    return;  // base colour, alpha and sides are all of it
+  }
   if (const auto properties = source.extension("KHR_materials_pbrSpecularGlossiness")) {
     read_specular_glossiness(*properties, material);
-    return;  // which excludes the others
+    warn_of_excluded(source, "KHR_materials_pbrSpecularGlossiness");
+    return;
   }
   const auto visit = [&](const char* name, const auto& read, auto& target) {
     if (const auto properties = source.extension(name)) read(*properties, target);

@@ -16,6 +16,9 @@ enum class ImageFormat { png, jpeg, webp, avif, hdr, exr, pfm, ppm, tiff };
 /// Tells the format by the first bytes, never by the name; nothing for any other kind of file.
 std::optional<ImageFormat> detect_image_format(std::span<const std::byte> encoded);
 
+/// Whether the OpenImageIO that is linked has a reader for the format; it may be made without those of WebP and AVIF.
+bool can_read(ImageFormat format);
+
 /// Pixels as stored, rows from top to bottom, channels interleaved; exactly one of the two vectors is filled.
 struct DecodedImage {
   int width = 0, height = 0, channels = 0;

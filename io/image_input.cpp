@@ -1,6 +1,7 @@
 #include "io/image_input.h"
 
 #include <stdexcept>
+#include <string_view>
 
 namespace candil {
 namespace {
@@ -31,7 +32,11 @@ const char* library_name(ImageFormat format) {
 }  // namespace
 
 std::string first_line(const std::string& message) {
-  const std::string line = message.substr(0, message.find('\n'));
+  std::string line = message.substr(0, message.find('\n'));
+  // What is decoded in memory is not a file of that name.
+  for (const std::string_view words : {" (\"memory\")", " from image file \"memory\"", " \"memory\""}) {
+    if (const std::size_t start = line.find(words); start != std::string::npos) line.erase(start, words.size());
+  }
   return line.empty() ? "the data is damaged" : line;
 }
 
@@ -51,13 +56,27 @@ void check_kind(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) throw std::runtime_error("strips of no rows");
 }
 
+bool can_read(ImageFormat format) {
+  const std::string_view name = library_name(format);
+  if (name.empty()) return true;
+  // Names between commas; those of plugins that could not be loaded are not among them.
+  const std::string names = "," + std::string(OIIO::get_string_attribute("input_format_list")) + ",";
+  return names.find("," + std::string(name) + ",") != std::string::npos;
+}
+
 std::unique_ptr<OIIO::ImageInput> create_image_input(ImageFormat format) {
   // Created by the name of its format: opening by a file name would go on to try every plugin there is.
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(library_name(format));
   if (!input) {
     OIIO::geterror();
-    throw std::runtime_error(std::string("this OpenImageIO cannot read ") +
-                             (format == ImageFormat::avif ? "AVIF: it has no libheif" : library_name(format)));
+    switch (format) {
+      case ImageFormat::avif:
+        throw std::runtime_error("this OpenImageIO cannot read AVIF: it has no libheif");
+      case ImageFormat::webp:
+        throw std::runtime_error("this OpenImageIO cannot read WebP: it has no libwebp");
+      default:
+        throw std::runtime_error(std::string("this OpenImageIO cannot read ") + library_name(format));
+    }
   }
   return input;
 }

@@ -50,7 +50,8 @@ SceneKind kind_of(const std::filesystem::path& path) {
   if (looks_like_ply(start) || (start.empty() && path.extension() == ".ply")) return SceneKind::ply;
   // What cannot be opened gets its message from the reader.
   if (!start.empty() && !looks_like_gltf(start))
-    throw InputError(path.string(), "", "is no .gltf, .glb, .json or .ply file");
+    throw InputError(path.string(), "",
+                     "is no scene file: it holds neither glTF (.gltf, .glb) nor PLY nor a scene in JSON");
   return SceneKind::gltf;
 }
 

@@ -1,11 +1,15 @@
 #include "io/zstandard.h"
 
+#ifdef CANDIL_HAS_ZSTD
 #include <zstd.h>
+#endif
 
 #include <stdexcept>
 #include <string>
 
 namespace candil {
+
+#ifdef CANDIL_HAS_ZSTD
 
 std::vector<std::byte> decompress_zstandard(std::span<const std::byte> compressed, std::size_t size) {
   std::vector<std::byte> bytes(size);
@@ -15,5 +19,13 @@ std::vector<std::byte> decompress_zstandard(std::span<const std::byte> compresse
     throw std::runtime_error("Zstandard: " + std::to_string(result) + " bytes instead of " + std::to_string(size));
   return bytes;
 }
+
+#else
+
+std::vector<std::byte> decompress_zstandard(std::span<const std::byte>, std::size_t) {
+  throw std::runtime_error("this program was built without Zstandard (Debian and Ubuntu: libzstd-dev)");
+}
+
+#endif
 
 }  // namespace candil

@@ -133,6 +133,14 @@ TEST(Render, EnvironmentOptionsReachThePicture) {
   EXPECT_NEAR(picture.pixels[1], 0.75f, 1e-5f);
 }
 
+TEST(Render, SaysThatASceneHasNothingToShow) {
+  const TemporaryFolder folder;
+  write_text(folder / "empty.gltf", R"({"asset":{"version":"2.0"}})");
+  const ProgramResult result = run_program({"empty.gltf", "--size", "8x8", "--spp", "1", "-q"}, folder.path());
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.errors, "warning: empty.gltf: no surface is in the scene, the picture shows the background\n");
+}
+
 TEST(Render, BlackEnvironmentMeansNoLight) {
   const TemporaryFolder folder;
   const ProgramResult result = render_square(folder, {"--env-color", "0,0,0", "-o", "a.exr"});

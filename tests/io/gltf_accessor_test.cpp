@@ -101,6 +101,25 @@ TEST(GltfAccessor, SparseWithoutViewStartsFromZeros) {
             "model.gltf: meshes[0].primitives[0].attributes.TEXCOORD_0: accessor 1 reads 2 bytes beyond buffer view 1");
 }
 
+// So do indices, which tinygltf by itself would not take: 0 0 0 becomes 0 1 2.
+TEST(GltfAccessor, SparseIndicesWithoutViewStartFromZeros) {
+  GltfSample sample;
+  sample.add_triangle("", ",\"indices\":1");
+  const std::vector<std::uint8_t> targets = {1, 2}, values = {1, 2};
+  const int indices = sample.add_view(std::as_bytes(std::span(targets)));
+  const int view = sample.add_view(std::as_bytes(std::span(values)));
+  const std::string start = R"({"componentType":5121,"type":"SCALAR","count":3)";
+  sample.accessors.push_back(start + R"(,"sparse":{"count":2,"indices":{"componentType":5121,"bufferView":)" +
+                             std::to_string(indices) + R"(},"values":{"bufferView":)" + std::to_string(view) + "}}}");
+  EXPECT_EQ(load_sample(sample).scene.meshes.at(0).triangles, (std::vector<Triangle>{{0, 1, 2}}));
+
+  sample.accessors[1] = start + "}";
+  EXPECT_EQ(load_error(sample), "") << "a triangle without area";
+  sample.accessors[1].replace(sample.accessors[1].find("5121"), 4, "5126");
+  EXPECT_EQ(load_error(sample),
+            "model.gltf: meshes[0].primitives[0].indices: accessor 1 must have unsigned integers for indices");
+}
+
 TEST(GltfAccessor, RefusesSparseIndexOutOfRange) {
   GltfSample sample;
   sample.add_triangle();

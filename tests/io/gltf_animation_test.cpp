@@ -297,6 +297,26 @@ TEST(GltfAnimation, RefusesKeysThatMakeNoCurve) {
             "model.gltf: animations[0].channels[0]: its spline ");
 }
 
+// A still of the rest pose needs no animation, however wrong its keys.
+TEST(GltfAnimation, KeysOfIntegersAreRefusedOnlyWhenChosen) {
+  AnimatedSample sample;
+  sample.add_triangle();
+  sample.move_node(0, "translation", "VEC3", {0, 1}, {0, 0, 0, 1, 0, 0});
+  std::string& input = sample.accessors[1];
+  input.replace(input.find("5126"), 4, "5125");
+  EXPECT_EQ(load_text(sample.animated_json()).animations.at(0).seconds, 0);
+  LoadOptions options;
+  options.at = 0;
+  try {
+    load_text(sample.animated_json(), options);
+    ADD_FAILURE() << "it was loaded";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("animations[0].samplers[0].input: accessor 1 must be SCALAR of floats"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(GltfAnimation, RefusesReferencesToNothing) {
   AnimatedSample sample = triangle();
   sample.move_node(0, "translation", "VEC3", {0, 1}, {0, 0, 0, 0, 0, 0});

@@ -252,4 +252,43 @@ TEST(GltfDraco, DamagedBytesNeverCrash) {
 
 }  // namespace
 }  // namespace candil::test
+#else
+#include <gtest/gtest.h>
+
+#include "tests/support/gltf/gltf_sample.h"
+
+namespace candil::test {
+namespace {
+
+// Streams are not looked at without Draco, so that any bytes do.
+GltfSample compressed_triangle() {
+  GltfSample sample;
+  const std::vector<std::uint8_t> stream = {'D', 'R', 'A', 'C', 'O'};
+  const int view = sample.add_view(std::as_bytes(std::span(stream)));
+  sample.add_accessor<float>(gl_float, "VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  sample.add_triangle("", R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":)" + std::to_string(view) +
+                              R"(,"attributes":{"POSITION":0}}})");
+  sample.root = R"(,"extensionsUsed":["KHR_draco_mesh_compression"])";
+  return sample;
+}
+
+TEST(WithoutDraco, PlainAccessorsAreShown) {
+  const LoadedScene loaded = load_sample(compressed_triangle());
+  EXPECT_EQ(loaded.scene.meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  ASSERT_EQ(loaded.not_honoured.size(), 1u);
+  EXPECT_EQ(loaded.not_honoured[0].reason, "unavailable: this build has no libdraco-dev");
+}
+
+TEST(WithoutDraco, FilesThatNeedItAreRefusedByThePackage) {
+  GltfSample sample = compressed_triangle();
+  sample.accessors[0] = R"({"componentType":5126,"type":"VEC3","count":3})";
+  EXPECT_EQ(load_error(sample),
+            "model.gltf: meshes[0].primitives[0].extensions.KHR_draco_mesh_compression: this program was built without "
+            "Draco (Debian and Ubuntu: libdraco-dev)");
+  sample.root += R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
+  EXPECT_NE(load_error(sample).find("this build has no libdraco-dev"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace candil::test
 #endif

@@ -34,6 +34,18 @@ TEST(GltfError, NamesThePlaceOfWrongTypesAndReferences) {
   EXPECT_EQ(load_error(start + R"("nodes":[{"mesh":0.0}],"meshes":[{"primitives":[]}]})"), "") << "0.0 is an integer";
 }
 
+TEST(GltfError, RefusesStridesThatNoAttributeHas) {
+  const auto error_of = [](const std::string& stride) {
+    return load_error("{" + asset + R"(,"buffers":[{"byteLength":3,"uri":"data:;base64,AAEC"}],"bufferViews":[)" +
+                      R"({"buffer":0,"byteLength":3,"byteStride":)" + stride + "}]}");
+  };
+  EXPECT_EQ(error_of("252"), "");
+  for (const char* stride : {"5", "256"}) {
+    EXPECT_EQ(error_of(stride),
+              std::string("model.gltf: bufferViews[0].byteStride: must be 4, 8, ... or 252, not ") + stride);
+  }
+}
+
 TEST(GltfError, RefusesOtherVersions) {
   EXPECT_EQ(load_error(R"({"asset":{"version":"1.0"}})"),
             "model.gltf: asset.version: 1.0 is not supported, only 2.x is");
@@ -60,7 +72,8 @@ TEST(GltfError, NamesAllRequiredExtensionsThatAreMissing) {
 
 TEST(GltfError, RefusesWhatIsNotGltf) {
   EXPECT_EQ(load_error(""), "model.gltf: the file is empty");
-  EXPECT_EQ(load_error("solid cube\n"), "model.gltf: is no .gltf, .glb, .json or .ply file");
+  EXPECT_EQ(load_error("solid cube\n"),
+            "model.gltf: is no scene file: it holds neither glTF (.gltf, .glb) nor PLY nor a scene in JSON");
   EXPECT_EQ(load_error("{\"asset\":").substr(0, 40), "model.gltf: JSON: parse error at line 1,");
   EXPECT_EQ(load_error("{\"a\":" + std::string(100000, '[')), "model.gltf: JSON: is nested deeper than 128 levels");
   EXPECT_EQ(load_error("{" + asset + ",\"extras\":\"" + std::string(500, '[') + "\\\"[\"}"), "")

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
+#include <stdexcept>
 
 #include "io/error.h"
+#include "tests/io/image_samples.h"
+#include "tests/support/gltf/ktx2_sample.h"
 
 namespace candil {
 namespace {
@@ -45,6 +49,36 @@ TEST(GltfExtensions, RequiredOnesAreRefusedUnlessHonouredOrHarmless) {
     EXPECT_EQ(what_is_not_honoured(required[0]).has_value(), extension.tier_word() != "full") << extension.name;
   }
   EXPECT_EQ(what_is_not_honoured("ACME_paint")->reason, "unsupported");
+}
+
+TEST(GltfExtensions, AreUnavailableWhereOpenImageIoHasNoReader) {
+  const std::vector<GltfExtension> with_all = gltf_extensions_with([](ImageFormat) { return true; });
+  const std::vector<GltfExtension> without =
+      gltf_extensions_with([](ImageFormat format) { return format != ImageFormat::webp; });
+  ASSERT_EQ(with_all.size(), without.size());
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    const bool is_webp = without[i].name == "EXT_texture_webp";
+    EXPECT_EQ(without[i].is_honoured(), with_all[i].is_honoured() && !is_webp) << without[i].name;
+    if (!is_webp) continue;
+    EXPECT_EQ(with_all[i].tier_word(), "full");
+    EXPECT_EQ(without[i].tier_word(), "unavailable");
+    EXPECT_EQ(without[i].explanation(), "this build has no OpenImageIO with libwebp");
+  }
+}
+
+// The table says it by the library's list of formats, this by what becomes of a picture.
+TEST(GltfExtensions, OfImagesAreHonouredIfOneCanBeDecoded) {
+  const auto can_decode = [](std::span<const std::byte> encoded, ImageFormat format) {
+    try {
+      return decode_image(encoded, format).width > 0;
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  };
+  EXPECT_EQ(is_supported_gltf_extension("EXT_texture_webp"),
+            can_decode(test::from_base64(test::webp_rgba8), ImageFormat::webp));
+  EXPECT_EQ(is_supported_gltf_extension("EXT_texture_avif"),
+            can_decode(test::read_test_data("alpha.avif"), ImageFormat::avif));
 }
 
 }  // namespace

@@ -98,6 +98,26 @@ TEST(GltfMaterial, ReadsSpecularGlossinessInsteadOfMetallicRoughness) {
   EXPECT_EQ(defaults.roughness, 0);
 }
 
+// By the texts of the others, none of which forbids KHR_materials_emissive_strength beside specular-glossiness.
+TEST(GltfMaterial, WarnsOfExtensionsThatAnotherExcludes) {
+  const auto warnings_with = [](const std::string& extensions) {
+    GltfSample sample;
+    sample.materials = {"{\"extensions\":{" + extensions + "}}"};
+    sample.add_triangle("", ",\"material\":0");
+    return load_sample(sample).warnings;
+  };
+  const std::string gloss = "\"KHR_materials_pbrSpecularGlossiness\":{}", unlit = "\"KHR_materials_unlit\":{}",
+                    ior = ",\"KHR_materials_ior\":{}", sheen = ",\"KHR_materials_sheen\":{}";
+  EXPECT_EQ(warnings_with(gloss + ior),
+            std::vector<std::string>{"materials[0].extensions: KHR_materials_ior does not go with "
+                                     "KHR_materials_pbrSpecularGlossiness, which alone is used"});
+  EXPECT_EQ(warnings_with(unlit + ior + sheen),
+            std::vector<std::string>{"materials[0].extensions: KHR_materials_ior, KHR_materials_sheen do not go with "
+                                     "KHR_materials_unlit, which alone is used"});
+  EXPECT_TRUE(warnings_with(gloss + ",\"KHR_materials_emissive_strength\":{}").empty());
+  EXPECT_TRUE(warnings_with(unlit + "," + gloss).empty()) << "a fallback for readers without KHR_materials_unlit";
+}
+
 TEST(GltfMaterial, ReadsLayers) {
   const Material material = load_material(R"({"extensions":{
       "KHR_materials_clearcoat":{"clearcoatFactor":0.5,"clearcoatTexture":{"index":0},"clearcoatRoughnessFactor":0.25,

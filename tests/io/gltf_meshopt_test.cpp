@@ -302,4 +302,33 @@ TEST(GltfMeshopt, DamagedBytesNeverCrash) {
 
 }  // namespace
 }  // namespace candil::test
+#else
+#include <gtest/gtest.h>
+
+#include "tests/support/gltf/gltf_sample.h"
+
+namespace candil::test {
+namespace {
+
+/// A buffer that only compressed views refer to, as the extension has it.
+std::string compressed_file(const std::string& more_of_buffer, const std::string& more_of_root) {
+  return R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_meshopt_compression"],"buffers":[{"byteLength":12)" +
+         more_of_buffer + R"(,"extensions":{"EXT_meshopt_compression":{"fallback":true}}}],"bufferViews":[{"buffer":0,
+         "byteLength":12,"extensions":{"EXT_meshopt_compression":{"buffer":0,"byteLength":4,"byteStride":4,"count":3,
+         "mode":"ATTRIBUTES"}}}])" +
+         more_of_root + "}";
+}
+
+TEST(WithoutMeshoptimizer, FallbackBuffersAreReadAndBareOnesRefusedByThePackage) {
+  EXPECT_EQ(load_error(compressed_file(R"(,"uri":"data:;base64,AAAAAAAAAAAAAAAA")", "")), "");
+  EXPECT_EQ(load_error(compressed_file("", "")),
+            "model.gltf: buffers[0]: this program was built without meshoptimizer (Debian and Ubuntu: "
+            "libmeshoptimizer-dev)");
+  EXPECT_NE(load_error(compressed_file("", R"(,"extensionsRequired":["EXT_meshopt_compression"])"))
+                .find("this build has no libmeshoptimizer-dev"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace candil::test
 #endif

@@ -77,7 +77,7 @@ TEST(DecodeTexture, KeepsWebpColorsApartFromAlpha) {
   try {
     image = decode(test::webp_rgba8);
   } catch (const InputError& error) {
-    ASSERT_NE(std::string(error.what()).find("cannot read webp"), std::string::npos) << error.what();
+    ASSERT_NE(std::string(error.what()).find("cannot read WebP"), std::string::npos) << error.what();
     GTEST_SKIP() << "this OpenImageIO has no WebP";
   }
   ASSERT_EQ(image.rgba8.size(), 2u);
@@ -183,6 +183,16 @@ TEST(DecodeTexture, SurvivesCutWebpAndJpeg) {
     for (std::size_t length = 0; length < whole.size(); ++length)
       EXPECT_EQ(error_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length))).find('\n'),
                 std::string::npos);
+  }
+}
+
+// OpenImageIO calls what it reads from memory "memory".
+TEST(DecodeTexture, NamesNoFileThatThereIsNot) {
+  const Bytes whole = from_base64(test::jpeg_cmyk);
+  for (const std::size_t length : {std::size_t{4}, whole.size() / 2}) {
+    const std::string error = error_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
+    EXPECT_EQ(error.substr(0, 22), "chair.gltf: images[2]:") << error;
+    EXPECT_EQ(error.find("memory"), std::string::npos) << error;
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "core/color.h"
 #include "tests/support/gltf/gltf_sample.h"
@@ -44,6 +45,9 @@ TEST(KtxTexture, ShowsItsTexelsWhereTheyBelong) {
     double bound;
   };
   for (const Case& c : {Case{"etc1s.ktx2", 20}, Case{"uastc_linear.ktx2", 8}, Case{"uastc_zstd.ktx2", 8}}) {
+#ifndef CANDIL_HAS_ZSTD
+    if (c.name == std::string_view("uastc_zstd.ktx2")) continue;
+#endif
     const Stage stage(unlit_square(texture, {ktx2_image(c.name), core_image}));
     double squares = 0;
     for (int y = 0; y < 16; ++y) {
