@@ -140,6 +140,8 @@ bool is_harmless_gltf_extension(std::string_view extension) {
   return find_extension(extension).tier == GltfTier::harmless;
 }
 
+std::string_view missing_gltf_package(std::string_view extension) { return find_extension(extension).missing_package; }
+
 std::optional<NotHonoured> what_is_not_honoured(const std::string& extension, Experiments experiments) {
   const GltfExtension row = find_extension(extension);
   const std::string explanation = row.explanation();
@@ -160,17 +162,19 @@ std::vector<NotHonoured> parts_not_honoured(const GltfContents& contents, bool h
 
 void refuse_unknown_gltf_extensions(const std::vector<std::string>& required, const std::string& name,
                                     Experiments experiments) {
-  std::string missing;
+  std::string missing, remedy;
   int count = 0;
   for (const std::string& extension : required) {
     const GltfExtension row = find_extension(extension);
     if (row.tier == GltfTier::harmless || is_supported_gltf_extension(extension, experiments)) continue;
     missing += (count++ == 0 ? "" : ", ") + printable(extension);
-    if (!row.missing_package.empty()) missing += " (this build has no " + std::string(row.missing_package) + ")";
+    if (row.missing_package.empty()) continue;
+    missing += " (this build has no " + std::string(row.missing_package) + ")";
+    remedy = "build candil with that package, or ";
   }
   if (count == 0) return;
   throw InputError(name, "extensionsRequired",
-                   missing + (count == 1 ? " is" : " are") + " not supported; export the file without " +
+                   missing + (count == 1 ? " is" : " are") + " not supported; " + remedy + "export the file without " +
                        (count == 1 ? "it" : "them"));
 }
 

@@ -62,6 +62,7 @@ class SchemaCheck {
         break;
       case Kind::integer:
         check_integer(value, place, std::numeric_limits<std::int32_t>::max());
+        if (!rule.target.empty()) check_listed(value.dump(), rule.target, place, value.dump());
         break;
       case Kind::integer_map:
         check_integer_map(value, place);
@@ -102,9 +103,15 @@ class SchemaCheck {
 
   void check_word(const json& value, std::string_view words, const std::string& place) const {
     if (!value.is_string()) fail(place, "must be a string");
-    const std::string list = " " + std::string(words) + " ", word = value.get<std::string>();
-    const bool is_one = word.find(' ') == std::string::npos && list.find(" " + word + " ") != std::string::npos;
-    if (!is_one) fail(place, quoted_text(word) + " is none of: " + std::string(words));
+    const auto word = value.get<std::string>();
+    check_listed(word.find(' ') == std::string::npos ? word : "", words, place, quoted_text(word));
+  }
+
+  /// That `word`, which has no blanks, is one of those between blanks. `shown`: what messages call it.
+  void check_listed(const std::string& word, std::string_view words, const std::string& place,
+                    const std::string& shown) const {
+    const bool is_one = (" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos;
+    if (!is_one) fail(place, shown + " is none of: " + std::string(words));
   }
 
   void check_array(json& array, const Rule& rule, const std::string& place) const {

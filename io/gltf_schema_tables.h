@@ -33,7 +33,7 @@ enum class Kind {
 struct Rule {
   std::string_view property;
   Kind kind;
-  std::string_view target = {};
+  std::string_view target = {};  ///< What is referred to, or the words or integers that may stand there.
   bool is_required = false;
   std::size_t length = 0;  ///< Of an array of numbers, or of each row; 0: any.
 };

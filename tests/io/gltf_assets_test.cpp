@@ -63,7 +63,8 @@ TEST(GltfAssets, SampleModelsLoadOrNameTheExtensionTheyNeed) {
     } catch (const InputError& error) {
       const std::string message = error.what();
       const bool is_expected = message.find("extensionsRequired: ") != std::string::npos ||
-                               message.find("asset.minVersion: ") != std::string::npos;
+                               message.find("asset.minVersion: ") != std::string::npos ||
+                               message.find("libzstd-dev") != std::string::npos;  // for a build without it
       EXPECT_TRUE(is_expected) << message;
     }
   }

@@ -277,6 +277,8 @@ TEST(WithoutDraco, PlainAccessorsAreShown) {
   EXPECT_EQ(loaded.scene.meshes.at(0).positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   ASSERT_EQ(loaded.not_honoured.size(), 1u);
   EXPECT_EQ(loaded.not_honoured[0].reason, "unavailable: this build has no libdraco-dev");
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{
+                                 "extension KHR_draco_mesh_compression is ignored: this build has no libdraco-dev"});
 }
 
 TEST(WithoutDraco, FilesThatNeedItAreRefusedByThePackage) {

@@ -28,7 +28,7 @@ TEST(GltfError, NamesThePlaceOfWrongTypesAndReferences) {
   EXPECT_EQ(load_error(start + R"("accessors":[{"componentType":5126,"count":1,"type":"VEC5"}]})"),
             "model.gltf: accessors[0].type: \"VEC5\" is none of: SCALAR VEC2 VEC3 VEC4 MAT2 MAT3 MAT4");
   EXPECT_EQ(load_error(start + R"("accessors":[{"componentType":5124,"count":1,"type":"VEC2"}]})"),
-            "model.gltf: accessors[0]: accessor 0 has the unknown componentType 5124");
+            "model.gltf: accessors[0].componentType: 5124 is none of: 5120 5121 5122 5123 5125 5126");
   EXPECT_EQ(load_error(start + R"("materials":[{"extensions":{"KHR_materials_ior":3}}]})"),
             "model.gltf: materials[0].extensions: the member \"KHR_materials_ior\" must be an object");
   EXPECT_EQ(load_error(start + R"("nodes":[{"mesh":0.0}],"meshes":[{"primitives":[]}]})"), "") << "0.0 is an integer";
