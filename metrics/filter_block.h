@@ -125,5 +125,22 @@ void filter_across(const Filters<sizeof...(is_symmetric)>& filters, const float*
       filters, [middle](int k) { return middle[-k]; }, [middle](int k) { return middle[k]; }, count);
 }
 
+/// Across `batch` rows below each other, the first of which is `middle`; their outputs are `stride` apart. Some columns
+/// at a time, while what the rows share is near.
+template <int batch, bool... is_symmetric>
+void filter_batch(const Filters<sizeof...(is_symmetric)>& filters, const float* const* middle, std::size_t stride,
+                  int count) {
+  constexpr int block = 4 * filter_lanes;
+  for (int x = 0; x < count; x += block)
+    for (int r = 0; r < batch; ++r) {
+      Filters<sizeof...(is_symmetric)> part = filters;
+      for (float*& out : part.out) out += static_cast<std::size_t>(r) * stride + static_cast<std::size_t>(x);
+      const float* const* const rows = middle + r;
+      filter_values<is_symmetric...>(
+          part, [rows, x](int k) { return rows[-k] + x; }, [rows, x](int k) { return rows[k] + x; },
+          count - x < block ? count - x : block);
+    }
+}
+
 }  // namespace CANDIL_TARGET
 }  // namespace candil

@@ -32,8 +32,7 @@ FlipWeights plain(const FlipFilters& filters) {
 /// What a tile is worked on in.
 class Scratch {
  public:
-  explicit Scratch(int radius)
-      : values_(flip_scratch_size(radius) + line), rows_(2 * static_cast<std::size_t>(radius) + 1) {}
+  explicit Scratch(int radius) : values_(flip_scratch_size(radius) + line), rows_(flip_rows_size(radius)) {}
 
   /// From the first line of the cache on.
   float* values() {

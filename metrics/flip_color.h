@@ -78,7 +78,7 @@ template <int channel>
   constexpr float red_green = from_opponent.red_green[channel], blue_yellow = from_opponent.blue_yellow[channel];
   const float v =
       multiply_add(red_green, color.red_green, multiply_add(blue_yellow, color.blue_yellow, color.luminance));
-  return v > 0 ? (v < 1 ? v : 1.0f) : 0.0f;
+  return smaller(larger(v, 0), 1);  // negative floats have negative bits
 }
 
 /// CIELAB of filtered opponent colours, with the chroma of dark colours lessened (Hunt's effect; section 4.1.2 of the
@@ -95,7 +95,7 @@ template <int channel>
 /// Section 4.1.3: the sum of the differences of lightness and of chroma (HyAB; Abasi et al. 2020).
 [[gnu::always_inline]] inline float color_distance(const HuntLab& p, const HuntLab& q) {
   const float lightness = p.lightness - q.lightness, a = 500 * (p.a - q.a), b = 200 * (p.b - q.b);
-  return (lightness < 0 ? -lightness : lightness) + fast_sqrt(multiply_add(a, a, b * b));
+  return __builtin_fabsf(lightness) + fast_sqrt(multiply_add(a, a, b * b));
 }
 
 /// The largest difference of colours, between green and blue, raised to color_exponent.

@@ -25,14 +25,13 @@ namespace {
 [[gnu::always_inline]] inline float exposed(float value, float scale) {
   constexpr float brightest = 1e3f;  // white by far
   const float v = value * scale;
-  return v > 0 ? (v < brightest ? v : brightest) : 0.0f;
+  return smaller(v > 0 ? v : 0.0f, brightest);
 }
 
 /// Logarithms of colour differences: anything below `least` is none.
 constexpr float least = 1e-30f, no_power = -1000;
 
-[[gnu::always_inline]] inline float at_most_1(float value) { return value < 1 ? value : 1.0f; }
-[[gnu::always_inline]] inline float size(float value) { return value < 0 ? -value : value; }
+[[gnu::always_inline]] inline float size(float value) { return __builtin_fabsf(value); }
 [[gnu::always_inline]] inline float length(float x, float y) { return fast_sqrt(multiply_add(x, x, y * y)); }
 
 // Compilers vectorise loops over pointers that are parameters and do not alias.
@@ -52,20 +51,19 @@ void push_linear(const float* __restrict red, const float* __restrict green, con
     const AcesFraction r = aces_fraction(exposed(red[i], scale)), g = aces_fraction(exposed(green[i], scale));
     const AcesFraction b = aces_fraction(exposed(blue[i], scale));
     const float rg = r.below * g.below, over = 1 / (rg * b.below), over_rg = over * b.below;
-    const Opponent color = to_opponent(at_most_1(r.above * (g.below * over_rg)),
-                                       at_most_1(g.above * (r.below * over_rg)), at_most_1(b.above * (rg * over)));
+    const Opponent color = to_opponent(smaller(r.above * (g.below * over_rg), 1),
+                                       smaller(g.above * (r.below * over_rg), 1), smaller(b.above * (rg * over), 1));
     luminance[i] = color.luminance, red_green[i] = color.red_green, blue_yellow[i] = color.blue_yellow;
   }
 }
 
-/// The color difference of two rows that are filtered, raised to its exponent: its logarithm.
-/// sizes: of the colour difference, 0 where there is none.
+/// The logarithm of the difference of colours, raised to its exponent.
 void compare_colors(const float* __restrict a0, const float* __restrict a1, const float* __restrict a2,
                     const float* __restrict b0, const float* __restrict b1, const float* __restrict b2,
                     float* __restrict powers, int count) {
   for (int i = 0; i < count; ++i) {
     const float distance = color_distance(to_hunt_lab({a0[i], a1[i], a2[i]}), to_hunt_lab({b0[i], b1[i], b2[i]}));
-    const float power = color_exponent * fast_log2(distance > least ? distance : least);
+    const float power = color_exponent * fast_log2(larger(distance, least));
     powers[i] = distance > least ? power : no_power;
   }
 }
@@ -78,7 +76,7 @@ void compare_features(const float* __restrict a3, const float* __restrict a4, co
     const float edge = size(length(a3[i], a4[i]) - length(b3[i], b4[i]));
     const float point = size(length(a5[i], a6[i]) - length(b5[i], b6[i]));
     // Features differ by sqrt 2 at the most; the paper's exponent is 1/2.
-    rests[i] = 1 - fast_sqrt((edge > point ? edge : point) * 0.70710678f);
+    rests[i] = 1 - fast_sqrt(larger(edge, point) * 0.70710678f);
   }
 }
 
@@ -113,17 +111,16 @@ void raise_high(const Knee& knee, const float* __restrict powers, const float* _
   const float low = knee.low, low_power = knee.low_power, upper_slope = knee.upper_slope;
   for (int i = 0; i < count; ++i) {
     const float color = multiply_add(fast_exp2(powers[i]) - low, upper_slope, Knee::height);
-    const float shown = fast_pow(at_most_1(color), rests[i]);
+    const float shown = fast_pow(smaller(color, 1), rests[i]);
     const float flip = powers[i] >= low_power ? shown : 0.0f;
     map[i] = flip > map[i] ? flip : map[i];
   }
 }
 
-/// Rows of one image, in the tile's scratch.
+/// One image at one exposure: rows of opponent colours around those under way, row y in slot y mod span.
 struct Window {
-  const float* image;
-  float* planes[3];  // opponent colours, row y in slot y mod span
-  float* out[7];     // filtered: luminance, red-green, blue-yellow; edges and points, along and across
+  float* planes[3];
+  const float** rows[3];  // all slots of a plane, twice
 };
 
 class TileWork {
@@ -131,9 +128,10 @@ class TileWork {
   explicit TileWork(const FlipTile& tile)
       : tile_(tile),
         radius_(tile.filters.radius),
-        span_(2 * radius_ + 1),
+        span_(flip_span(radius_)),
         stride_(flip_stride(radius_)),
-        wide_(tile.x1 - tile.x0 + 2 * radius_),
+        width_(tile.x1 - tile.x0),
+        wide_(width_ + 2 * radius_),
         knee_(tile.largest_color_difference) {
     float* next = tile.scratch;
     const auto take = [&](int rows) {
@@ -141,46 +139,58 @@ class TileWork {
       next += stride_ * static_cast<std::size_t>(rows);
       return taken;
     };
-    a_.image = tile.a, b_.image = tile.b;
-    for (Window* const window : {&a_, &b_}) {
-      for (float*& plane : window->planes) plane = take(span_);
-      for (float*& row : window->out) row = take(1);
-    }
+    const float** next_row = tile.rows;
+    for (auto& exposure : windows_)
+      for (Window& window : exposure)
+        for (int channel = 0; channel < 3; ++channel) {
+          window.planes[channel] = take(span_);
+          window.rows[channel] = next_row;
+          for (int i = 0; i < 2 * span_; ++i)
+            *next_row++ = window.planes[channel] + static_cast<std::size_t>(i % span_) * stride_;
+        }
     for (float*& row : colors_) row = take(1);
-    for (float*& row : across_) row = take(1);
+    for (float*& row : across_) row = take(flip_batch);
+    for (auto& image : out_)
+      for (float*& row : image) row = take(1);
     for (float*& row : parts_) row = take(1);
   }
 
   void raise() {
-    for (int k = 0; k < tile_.exposures; ++k)
-      for (int y = tile_.y0 - radius_; y < tile_.y1 + radius_; ++y) {
-        push_row(a_, y, tile_.scales[k]);
-        push_row(b_, y, tile_.scales[k]);
-        const int done = y - radius_;
-        if (done < tile_.y0) continue;
-        filter_row(a_, done);
-        filter_row(b_, done);
-        raise_row(done);
-      }
+    const int groups = (tile_.exposures + flip_exposures_together - 1) / flip_exposures_together;
+    int first = 0;
+    for (int left = groups; left > 0; --left) {
+      const int count = (tile_.exposures - first + left - 1) / left;
+      raise_exposures(first, count);
+      first += count;
+    }
   }
 
  private:
-  float* row(const Window& window, int channel, int y) const {
-    const int slot = (y + span_) % span_;  // y is -radius at the least
-    return window.planes[channel] + static_cast<std::size_t>(slot) * stride_;
+  void raise_exposures(int first, int count) {
+    int next = tile_.y0 - radius_;
+    for (int y = tile_.y0; y < tile_.y1; y += flip_batch) {
+      for (; next < y + flip_batch + radius_; ++next)
+        for (int image = 0; image < 2; ++image) {
+          load_row(image == 0 ? tile_.a : tile_.b, next);
+          for (int k = 0; k < count; ++k) push_row(windows_[k][image], next, tile_.scales[first + k]);
+        }
+      for (int k = 0; k < count; ++k) raise_batch(windows_[k], y);
+    }
   }
 
-  /// Row y of the tile and what is around it; outside of the image it continues with its outermost pixels.
+  int slot(int y) const { return (y + span_) % span_; }  // y is -radius at the least
+
   void push_row(const Window& window, int y, float scale) {
-    load_row(window.image, y);
-    float *const luminance = row(window, 0, y), *const red_green = row(window, 1, y);
-    float* const blue_yellow = row(window, 2, y);
+    const std::size_t place = static_cast<std::size_t>(slot(y)) * stride_;
+    float *const luminance = window.planes[0] + place, *const red_green = window.planes[1] + place;
+    float* const blue_yellow = window.planes[2] + place;
     if (tile_.is_linear)
       push_linear(colors_[0], colors_[1], colors_[2], scale, luminance, red_green, blue_yellow, wide_);
     else
       push_display(colors_[0], colors_[1], colors_[2], luminance, red_green, blue_yellow, wide_);
   }
 
+  /// Row y of the tile and what is around it; outside of the image it continues with its outermost pixels.
   void load_row(const float* image, int y) {
     const int inside_y = y < 0 ? 0 : (y < tile_.height ? y : tile_.height - 1);
     const int x0 = tile_.x0 - radius_, first = x0 < 0 ? -x0 : 0;
@@ -195,67 +205,80 @@ class TileWork {
     }
   }
 
-  /// The rows around row y, for filters across them.
-  const float* const* rows_around(const Window& window, int channel, int y) const {
-    for (int k = -radius_; k <= radius_; ++k) tile_.rows[radius_ + k] = row(window, channel, y + k);
-    return tile_.rows + radius_;
+  using Kernel = FlipWeights::Kernel;
+
+  /// For filters across the rows of a batch: the first one's place among them.
+  const float* const* rows_of(const Window& window, int channel, int y) const {
+    return window.rows[channel] + slot(y - radius_) + radius_;
+  }
+  void across(const Kernel& kernel, const float* const* rows, float* out) const {
+    filter_batch<flip_batch, true>({{kernel.weights}, {out}, kernel.radius}, rows, stride_, wide_);
+  }
+  void along(const Kernel& kernel, const float* in, float* out, bool adds = false) const {
+    filter_along<true>({{kernel.weights}, {out}, kernel.radius, adds}, in + radius_, width_);
   }
 
-  /// Rows up to the radius around row y have been pushed.
-  void filter_row(const Window& window, int y) {
-    const FlipWeights& filters = tile_.filters;
-    const int width = tile_.x1 - tile_.x0;
-    float *const first = across_[0], *const second = across_[1], *const third = across_[2];
-    float* const* const out = window.out;
-    const auto symmetric = [&](const FlipWeights::Kernel& kernel, const float* in, float* to, bool adds) {
-      filter_along<true>({{kernel.weights}, {to}, kernel.radius, adds}, in + radius_, width);
-    };
-    const float* const* rows = rows_around(window, 0, y);
-    filter_across<true>({{filters.luminance.weights}, {first}, filters.luminance.radius}, rows, wide_);
-    symmetric(filters.luminance, first, out[0], false);
-    filter_across<true, false, true>({{filters.smooth.weights, filters.edge.weights, filters.point.weights},
-                                      {first, second, third},
-                                      filters.smooth.radius},
-                                     rows, wide_);
-    filter_along<false, true>({{filters.edge.weights, filters.point.weights}, {out[3], out[5]}, filters.edge.radius},
-                              first + radius_, width);
-    symmetric(filters.smooth, second, out[4], false);
-    symmetric(filters.smooth, third, out[6], false);
-
-    rows = rows_around(window, 1, y);
-    filter_across<true>({{filters.red_green.weights}, {first}, filters.red_green.radius}, rows, wide_);
-    symmetric(filters.red_green, first, out[1], false);
-
-    rows = rows_around(window, 2, y);
-    const FlipWeights::Kernel &wide = filters.blue_yellow_wide, &narrow = filters.blue_yellow_narrow;
-    if (wide.radius == narrow.radius) {
-      filter_across<true, true>({{wide.weights, narrow.weights}, {first, second}, wide.radius}, rows, wide_);
-    } else {
-      filter_across<true>({{wide.weights}, {first}, wide.radius}, rows, wide_);
-      filter_across<true>({{narrow.weights}, {second}, narrow.radius}, rows, wide_);
+  /// Rows up to the radius around those of the batch have been pushed. Some may be below the tile.
+  void raise_batch(const Window (&windows)[2], int y) {
+    for (int image = 0; image < 2; ++image) filter_rows(windows[image], y, across_ + image * kernels);
+    for (int i = 0; i < flip_batch && y + i < tile_.y1; ++i) {
+      for (int image = 0; image < 2; ++image) filter_row(across_ + image * kernels, i, out_[image]);
+      raise_row(y + i);
     }
-    symmetric(filters.blue_yellow_wide_along, first, out[2], false);
-    symmetric(filters.blue_yellow_narrow_along, second, out[2], true);
   }
 
-  /// Sections 4.1.3, 4.2 and 4.3 of the paper of 2020, for the filtered rows of both windows.
+  /// The rows of a batch across.
+  void filter_rows(const Window& window, int y, float* const* out) const {
+    const FlipWeights& filters = tile_.filters;
+    const float* const* rows = rows_of(window, 0, y);
+    across(filters.luminance, rows, out[0]);
+    filter_batch<flip_batch, true, false, true>({{filters.smooth.weights, filters.edge.weights, filters.point.weights},
+                                                 {out[1], out[2], out[3]},
+                                                 filters.smooth.radius},
+                                                rows, stride_, wide_);
+    across(filters.red_green, rows_of(window, 1, y), out[4]);
+    rows = rows_of(window, 2, y);
+    const Kernel &broad = filters.blue_yellow_wide, &narrow = filters.blue_yellow_narrow;
+    if (broad.radius == narrow.radius)
+      return filter_batch<flip_batch, true, true>({{broad.weights, narrow.weights}, {out[5], out[6]}, broad.radius},
+                                                  rows, stride_, wide_);
+    across(broad, rows, out[5]);
+    across(narrow, rows, out[6]);
+  }
+
+  /// Row i of the batch along, from what has been filtered across.
+  void filter_row(float* const* from, int i, float* const* out) const {
+    const FlipWeights& filters = tile_.filters;
+    const auto in = [&](int kernel) { return from[kernel] + static_cast<std::size_t>(i) * stride_; };
+    along(filters.luminance, in(0), out[0]);
+    along(filters.red_green, in(4), out[1]);
+    along(filters.blue_yellow_wide_along, in(5), out[2]);
+    along(filters.blue_yellow_narrow_along, in(6), out[2], true);
+    filter_along<false, true>({{filters.edge.weights, filters.point.weights}, {out[3], out[5]}, filters.edge.radius},
+                              in(1) + radius_, width_);
+    along(filters.smooth, in(2), out[4]);
+    along(filters.smooth, in(3), out[6]);
+  }
+
+  /// Sections 4.1.3, 4.2 and 4.3 of the paper of 2020, for the filtered rows of both images.
   void raise_row(int y) {
-    const int width = tile_.x1 - tile_.x0;
-    compare_colors(a_.out[0], a_.out[1], a_.out[2], b_.out[0], b_.out[1], b_.out[2], parts_[0], width);
-    compare_features(a_.out[3], a_.out[4], a_.out[5], a_.out[6], b_.out[3], b_.out[4], b_.out[5], b_.out[6], parts_[1],
-                     width);
+    float *const *const a = out_[0], *const *const b = out_[1];
+    compare_colors(a[0], a[1], a[2], b[0], b[1], b[2], parts_[0], width_);
+    compare_features(a[3], a[4], a[5], a[6], b[3], b[4], b[5], b[6], parts_[1], width_);
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile_.width);
     float* const map = tile_.map + pixel + static_cast<std::size_t>(tile_.x0);
-    if (raise_low(knee_, parts_[0], parts_[1], map, width)) raise_high(knee_, parts_[0], parts_[1], map, width);
+    if (raise_low(knee_, parts_[0], parts_[1], map, width_)) raise_high(knee_, parts_[0], parts_[1], map, width_);
   }
+
+  static constexpr int kernels = 7;  // across rows
 
   const FlipTile& tile_;
   int radius_, span_;
   std::size_t stride_;
-  int wide_;
-  Window a_, b_;
+  int width_, wide_;
   Knee knee_;
-  float *colors_[3], *across_[3], *parts_[2];
+  Window windows_[flip_exposures_together][2];
+  float *colors_[3], *across_[2 * kernels], *out_[2][7], *parts_[2];
 };
 
 }  // namespace

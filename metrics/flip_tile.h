@@ -32,18 +32,28 @@ struct FlipTile {
   int x0, y0, x1, y1;
   float* map;          ///< Of the whole image: raised to the largest FLIP of the exposures.
   float* scratch;      ///< flip_scratch_size floats, aligned for vectors (64 bytes).
-  const float** rows;  ///< 2 radius + 1, to work with.
+  const float** rows;  ///< flip_rows_size pointers, to work with.
 };
+
+/// Some rows are filtered together, while the cache of the first level has what they share; some exposures go through
+/// the tile together, while that of the second level has their rows.
+inline constexpr int flip_batch = 4, flip_exposures_together = 4;
 
 /// Rows of what goes on in a tile begin at a vector.
 constexpr std::size_t flip_stride(int radius) {
   return (static_cast<std::size_t>(flip_tile_width) + 2 * static_cast<std::size_t>(radius) + 15) / 16 * 16;
 }
-/// Rows: for each image three planes of opponent colours as high as the filters, and seven that are filtered; three of
-/// colours, three that are filtered across, and two of what the map is made of.
+/// Of opponent colours that the filters of a batch reach.
+constexpr int flip_span(int radius) { return 2 * radius + flip_batch; }
+/// Rows: for each image and exposure three planes; of each image seven that are filtered, and seven for each row of a
+/// batch that are filtered across; three of colours, and two of what the map is made of.
 constexpr std::size_t flip_scratch_size(int radius) {
-  const std::size_t span = 2 * static_cast<std::size_t>(radius) + 1;
-  return flip_stride(radius) * (2 * (3 * span + 7) + 3 + 3 + 2);
+  const auto span = static_cast<std::size_t>(flip_span(radius));
+  return flip_stride(radius) * (2 * flip_exposures_together * 3 * span + 2 * 7 + 2 * 7 * flip_batch + 3 + 2);
+}
+/// The rows of each plane, twice.
+constexpr std::size_t flip_rows_size(int radius) {
+  return 2 * flip_exposures_together * 3 * 2 * static_cast<std::size_t>(flip_span(radius));
 }
 
 /// For the processor that the program runs on. All have the same results.
