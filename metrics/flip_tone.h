@@ -11,12 +11,14 @@ namespace candil {
 /// (a x^2 + b x) / (c x^2 + d x + e) for the coefficients a to e.
 inline constexpr std::array<double, 5> aces = {0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14};
 
-/// x >= 0, at most 1e15; the result is cut to 1.
-inline float aces_curve(float x) {
+/// The curve at x >= 0 is above / below, cut to 1; x at most 1e15.
+struct AcesFraction {
+  float above, below;
+};
+[[gnu::always_inline]] inline AcesFraction aces_fraction(float x) {
   constexpr float a = static_cast<float>(aces[0]), b = static_cast<float>(aces[1]), c = static_cast<float>(aces[2]);
   constexpr float d = static_cast<float>(aces[3]), e = static_cast<float>(aces[4]);
-  const float y = x * multiply_add(a, x, b) / multiply_add(x, multiply_add(c, x, d), e);
-  return y < 1 ? y : 1.0f;
+  return {x * multiply_add(a, x, b), multiply_add(x, multiply_add(c, x, d), e)};
 }
 
 }  // namespace candil

@@ -1,4 +1,5 @@
-/// Rows of pixels in the form that vector code wants.
+/// Rows of pixels in the form that vector code wants. What is always inline is for files for newer processors too
+/// (core/bvh/target.h).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace candil {
 
 /// The first three channels of a row of pixels that have 3 or 4, one array for each.
 template <int channels>
-void split_channels(const float* pixels, int count, const std::array<float*, 3>& out) {
+[[gnu::always_inline]] inline void split_channels(const float* pixels, int count, const std::array<float*, 3>& out) {
   float* const __restrict red = out[0];
   float* const __restrict green = out[1];
   float* const __restrict blue = out[2];
@@ -22,7 +23,8 @@ void split_channels(const float* pixels, int count, const std::array<float*, 3>&
   }
 }
 
-inline void split_colors(const float* pixels, int channels, int count, const std::array<float*, 3>& out) {
+[[gnu::always_inline]] inline void split_colors(const float* pixels, int channels, int count,
+                                                const std::array<float*, 3>& out) {
   channels == 4 ? split_channels<4>(pixels, count, out) : split_channels<3>(pixels, count, out);
 }
 

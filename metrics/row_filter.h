@@ -19,20 +19,11 @@ struct HalfKernel {
 /// exp(-k^2 / (2 sigma^2)) for |k| <= radius, summing up to 1.
 HalfKernel gaussian_kernel(double sigma, int radius);
 
-/// One of the filters that the same input goes through.
-struct FilterTask {
-  const HalfKernel& kernel;
-  float* out;
-};
-
 /// Filters along a row: outputs have `count` values, `in` has radius more on either side and points at the one that
-/// belongs to the first. Input and outputs do not overlap. Several filters of the same radius at a time are cheaper
-/// than one after the other, and give the same.
-void filter_along_row(std::span<const FilterTask> tasks, const float* in, int count);
+/// belongs to the first. Input and output do not overlap.
 void filter_along_row(const HalfKernel& kernel, const float* in, float* out, int count);
 
 /// Filters across rows: `rows` are those around the one to make, from top to bottom, at least 2 radius + 1 of them.
-void filter_across_rows(std::span<const FilterTask> tasks, std::span<const float* const> rows, int count);
 void filter_across_rows(const HalfKernel& kernel, std::span<const float* const> rows, float* out, int count);
 
 }  // namespace candil

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# check_targets.sh LEVEL OBJECT: everything that an object for a newer level of x86-64 offers to the linker is in a namespace
+# check_targets.sh LEVEL FUNCTION OBJECT: everything that an object for a newer level of x86-64 offers to the linker is in a namespace
 # of that level, so that the linker cannot take it for the rest of the program (see core/bvh/target.h).
 set -euo pipefail
-level=$1 object=$2
+level=$1 function=$2 object=$3
 
 symbols=$(nm --demangle --defined-only --extern-only "$object")
-[[ $symbols == *"candil::$level::wide_kernels_of_target()"* ]] || {
-  echo "$object: does not have the kernels of $level"
+[[ $symbols == *"candil::$level::$function"* ]] || {
+  echo "$object: does not have $function of $level"
   exit 1
 }
 strange=$(grep -v "candil::$level::" <<<"$symbols" || true)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "metrics/fast_math.h"
+#include "metrics/filter_block.h"
 
 namespace candil::test {
 namespace {
@@ -53,32 +54,32 @@ TEST(RowFilter, IsTheSumOfItsWeightsForAnyLength) {
 TEST(RowFilter, SeveralTogetherAreTheSameAsOneByOne) {
   HalfKernel antisymmetric = gaussian_kernel(2, 6);
   antisymmetric.is_symmetric = false;
-  const HalfKernel wide = gaussian_kernel(3, 6), narrow = gaussian_kernel(1, 6), other_radius = gaussian_kernel(1, 4);
-  const std::vector<std::vector<const HalfKernel*>> sets = {{&wide, &narrow},
-                                                            {&antisymmetric, &wide},
-                                                            {&wide, &antisymmetric, &narrow},
-                                                            {&narrow, &antisymmetric},
-                                                            {&wide, &other_radius}};
-  for (const std::vector<const HalfKernel*>& kernels : sets)
-    for (const int count : {5, 40, 129}) {
-      const std::vector<float> values = ramp(count + 12);
-      std::vector<std::vector<float>> along(kernels.size(), std::vector<float>(static_cast<std::size_t>(count)));
-      std::vector<FilterTask> tasks;
-      for (std::size_t i = 0; i < kernels.size(); ++i) tasks.push_back({*kernels[i], along[i].data()});
-      filter_along_row(tasks, values.data() + 6, count);
-      for (std::size_t i = 0; i < kernels.size(); ++i) {
-        std::vector<float> alone(static_cast<std::size_t>(count));
-        filter_along_row(*kernels[i], values.data() + 6, alone.data(), count);
-        ASSERT_EQ(along[i], alone) << i << ' ' << count;
-      }
-
-      std::vector<const float*> rows;
-      for (int k = 0; k <= 12; ++k) rows.push_back(values.data() + k);
-      const std::vector<std::vector<float>> wanted = along;
-      for (std::vector<float>& row : along) std::ranges::fill(row, -1.0f);
-      filter_across_rows(tasks, rows, count);
-      ASSERT_EQ(along, wanted) << count;
+  const HalfKernel wide = gaussian_kernel(3, 6), narrow = gaussian_kernel(1, 6);
+  const HalfKernel* const kernels[] = {&wide, &antisymmetric, &narrow};
+  for (const int count : {5, 40, 129}) {
+    const std::vector<float> values = ramp(count + 12);
+    const auto size = static_cast<std::size_t>(count);
+    std::vector<std::vector<float>> alone(3, std::vector<float>(size)), together = alone;
+    Filters<3> filters = {{}, {}, 6};
+    for (std::size_t i = 0; i < 3; ++i) {
+      filter_along_row(*kernels[i], values.data() + 6, alone[i].data(), count);
+      filters.weights[i] = kernels[i]->weights.data(), filters.out[i] = together[i].data();
     }
+    filter_along<true, false, true>(filters, values.data() + 6, count);
+    EXPECT_EQ(together, alone) << count;
+
+    std::vector<const float*> rows;
+    for (int k = 0; k <= 12; ++k) rows.push_back(values.data() + k);
+    for (std::vector<float>& row : together) std::ranges::fill(row, -1.0f);
+    filter_across<true, false, true>(filters, rows.data() + 6, count);
+    EXPECT_EQ(together, alone) << count;
+
+    // Added to what is there: twice the sum, up to its rounding.
+    filters.adds = true;
+    filter_along<true, false, true>(filters, values.data() + 6, count);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t x = 0; x < size; ++x) ASSERT_NEAR(together[i][x], 2 * alone[i][x], 1e-6) << i << ' ' << x;
+  }
 }
 
 TEST(RowFilter, GivesTheSameBitsWhereverAPixelLies) {
@@ -104,6 +105,7 @@ TEST(FastMath, IsAsExactAsItSays) {
   for (double x = 1e-12; x < 1e9; x *= 1.0137) {
     const auto value = static_cast<float>(x);
     ASSERT_NEAR(fast_cbrt(value) / std::cbrt(static_cast<double>(value)), 1, 5e-7) << x;
+    ASSERT_NEAR(fast_sqrt(value) / std::sqrt(static_cast<double>(value)), 1, 3e-7) << x;
     if (x > 0.25 && x < 4) {
       ASSERT_NEAR(fast_log2(value), std::log2(static_cast<double>(value)), 2e-7) << x;
     }
@@ -114,6 +116,8 @@ TEST(FastMath, IsAsExactAsItSays) {
   }
   for (double x = -125; x < 126; x += 0.37)
     ASSERT_NEAR(fast_exp2(static_cast<float>(x)) / std::exp2(static_cast<double>(static_cast<float>(x))), 1, 3e-7) << x;
+  EXPECT_EQ(fast_sqrt(0), 0);
+  EXPECT_EQ(fast_cbrt(0), 0);
   EXPECT_EQ(fast_pow(0, 0.7f), 0);
   EXPECT_EQ(fast_pow(1, 2.4f), 1);
 }
