@@ -33,9 +33,9 @@ glm::dvec3 spectral_color(double nm) {
 }
 
 Choice make_choice() {
-  constexpr double shortest = 400, step = 0.1;
-  constexpr int count = 2800;  // of steps, up to 680 nm
-  const auto wavelength = [&](double i) { return shortest + step * i; };
+  constexpr double step = 0.1;
+  constexpr int count = static_cast<int>((longest_wavelength - shortest_wavelength) * 10);  // of steps
+  const auto wavelength = [&](double i) { return shortest_wavelength + step * i; };
   glm::dvec3 sum(0);
   for (int i = 0; i < count; ++i) sum += spectral_color(wavelength(i + 0.5));
   const auto color = [&](double nm) { return spectral_color(nm) / sum; };  // all together: 1 in each channel

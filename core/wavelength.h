@@ -13,6 +13,9 @@
 
 namespace candil {
 
+/// Nanometres; others are never chosen.
+inline constexpr float shortest_wavelength = 400, longest_wavelength = 680;
+
 struct Wavelength {
   float nanometres = 0;  ///< 0: all of them together.
   Vec3 response{1.0f};   ///< Colour over the density of the choice, for a path that takes it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/wavelength.h"
 #include "materials/fresnel.h"
 
 namespace candil {
@@ -17,10 +18,33 @@ std::uint32_t table_of(std::vector<Table>& tables, float ior) {
   return place;
 }
 
+/// The same for all indices of refraction that a material shows.
+std::uint32_t graded_table_of(std::vector<GradedDielectricAlbedo>& tables, const Material& material) {
+  const float ior = material.ior;
+  DielectricRange range{ior, ior, ior, material.extensions->clearcoat > 0};
+  if (material.is_dispersive()) {
+    range.least_ior = dispersed_ior(ior, material.extensions->dispersion, longest_wavelength);
+    range.greatest_ior = dispersed_ior(ior, material.extensions->dispersion, shortest_wavelength);
+  }
+  const auto known = std::find_if(tables.begin(), tables.end(),
+                                  [&](const GradedDielectricAlbedo& table) { return table.range() == range; });
+  const auto place = static_cast<std::uint32_t>(known - tables.begin());
+  if (known == tables.end()) tables.emplace_back(range);
+  return place;
+}
+
 }  // namespace
+
+bool has_extended_facets(const Material& material) {
+  if (material.model != MaterialModel::metallic_roughness || !material.extensions) return false;
+  const MaterialExtensions& more = *material.extensions;
+  return more.clearcoat > 0 || !is_black(more.sheen_color) || more.anisotropy > 0 || more.iridescence > 0 ||
+         more.diffuse_transmission > 0 || material.is_dispersive() || material.scatters();
+}
 
 BsdfTables::BsdfTables(const Scene& scene)
     : dielectric_of_material_(scene.materials.size(), invalid_id),
+      graded_dielectric_of_material_(scene.materials.size(), invalid_id),
       anisotropic_dielectric_of_material_(scene.materials.size(), invalid_id),
       mean_fresnel_of_material_(scene.materials.size()) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
@@ -30,6 +54,8 @@ BsdfTables::BsdfTables(const Scene& scene)
     }
     if (material.model != MaterialModel::metallic_roughness) continue;
     if (!sheen_ && material.extensions && !is_black(material.extensions->sheen_color)) sheen_.emplace();
+    const bool is_extended = has_extended_facets(material);
+    if (is_extended) graded_ggx_ = &GradedGgxAlbedo::shared();
     const bool is_anisotropic = material.extensions && material.extensions->anisotropy > 0;
     if (is_anisotropic && !anisotropic_ggx_) anisotropic_ggx_ = std::make_unique<AnisotropicAlbedo>();
     if (material.extensions && material.extensions->iridescence > 0 && !iridescence_) {
@@ -38,7 +64,11 @@ BsdfTables::BsdfTables(const Scene& scene)
     const bool refracts =
         material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
     if (!refracts) continue;
-    if (material.roughness > 0) dielectric_of_material_[m] = table_of(dielectrics_, material.ior);
+    if (is_extended && (material.roughness > 0 || is_anisotropic)) {
+      graded_dielectric_of_material_[m] = graded_table_of(graded_dielectrics_, material);
+    } else if (material.roughness > 0) {
+      dielectric_of_material_[m] = table_of(dielectrics_, material.ior);
+    }
     if (is_anisotropic) anisotropic_dielectric_of_material_[m] = table_of(anisotropic_dielectrics_, material.ior);
   }
 }

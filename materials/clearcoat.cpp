@@ -3,7 +3,7 @@
 #include "materials/ggx.h"
 
 namespace candil {
-ClearcoatLobe::ClearcoatLobe(const ClearcoatParameters& p, const GgxAlbedo& table, Vec3 wo)
+ClearcoatLobe::ClearcoatLobe(const ClearcoatParameters& p, const GradedGgxAlbedo& table, Vec3 wo)
     : frame_(p.normal), weight_(p.weight), alpha_(sqr(p.roughness)), is_delta_(alpha_ < ggx_min_alpha) {
   const float cosine = glm::dot(p.normal, wo);
   if (is_delta_) {

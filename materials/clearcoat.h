@@ -13,7 +13,7 @@
 #include "core/frame.h"
 #include "materials/bsdf_sample.h"
 #include "materials/fresnel.h"
-#include "materials/ggx_albedo.h"
+#include "materials/graded_albedo.h"
 
 namespace candil {
 
@@ -30,7 +30,7 @@ inline float clearcoat_reflectance(float cosine) { return fresnel_schlick(Vec3(c
 
 class ClearcoatLobe {
  public:
-  ClearcoatLobe(const ClearcoatParameters& parameters, const GgxAlbedo& table, Vec3 wo);
+  ClearcoatLobe(const ClearcoatParameters& parameters, const GradedGgxAlbedo& table, Vec3 wo);
 
   BsdfEval eval(Vec3 wo, Vec3 wi) const;
   /// Of a smooth coat a mirror's sample, chosen for certain; else a direction with the density that eval() tells.

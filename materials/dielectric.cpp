@@ -28,7 +28,11 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
     mean_lost_here_ = mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.average().total());
     multiple_transmitted_ = reflects_all_ ? 0 : 1 - luminance(mean_reflectance());
   } else {
-    mean_lost_here_ = glm::max(1e-6f, 1 - facets_.dielectric_average(from_inside_));
+    float kept_here = facets_.dielectric_average(from_inside_);
+    if constexpr (Facets::is_extended) {
+      if (coat_beyond_ > 0) kept_here += coat_beyond_ * facets_.average_by_coat();
+    }
+    mean_lost_here_ = glm::max(1e-6f, 1 - kept_here);
     mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.dielectric_average(!from_inside_));
     const float beyond = mean_lost_beyond_ * sqr(reflecting_eta_);
     multiple_transmitted_ = beyond / (beyond + mean_lost_here_);
@@ -47,7 +51,7 @@ Vec3 BasicDielectricLobes<Facets>::reflectance_without_film(float cosine) const 
 template <typename Facets>
 Vec3 BasicDielectricLobes<Facets>::reflectance(float cosine) const {
   const Vec3 own = reflectance_without_coat(cosine);
-  if (coat_beyond_ == 0) return own;
+  if (!Facets::is_extended || coat_beyond_ == 0) return own;
   const float cosine_beyond = safe_sqrt(1 - (1 - sqr(cosine)) / sqr(eta_));
   return own + (1.0f - own) * (coat_beyond_ * clearcoat_reflectance(cosine_beyond));
 }
@@ -97,8 +101,11 @@ float BasicDielectricLobes<Facets>::reflection_probability(Vec3 facet_reflectanc
 
 template <typename Facets>
 float BasicDielectricLobes<Facets>::lost_energy(Vec3 w, Side side) const {
-  const float kept = refracts() ? facets_.dielectric_directional(w, from_inside_ == (side == Side::here))
-                                : facets_.directional(Vec3(w.x, w.y, std::abs(w.z))).total();
+  float kept = refracts() ? facets_.dielectric_directional(w, from_inside_ == (side == Side::here))
+                          : facets_.directional(Vec3(w.x, w.y, std::abs(w.z))).total();
+  if constexpr (Facets::is_extended) {
+    if (coat_beyond_ > 0 && side == Side::here && refracts()) kept += coat_beyond_ * facets_.directional_by_coat(w);
+  }
   return glm::max(0.0f, 1 - kept);
 }
 
@@ -132,14 +139,15 @@ BsdfEval BasicDielectricLobes<Facets>::eval_facets(Vec3 wo, Vec3 wi) const {
 template <typename Facets>
 BsdfEval BasicDielectricLobes<Facets>::eval_multiple(Vec3 wi) const {
   const float cosine = std::abs(wi.z), cosine_pdf = pdf_cosine_hemisphere(cosine);
+  const float pdf = facets_.pdf_multiple(cosine);
   if (wi.z > 0) {
     const float share = 1 - multiple_transmitted_;
     const float value = share * lost_ * lost_energy(wi, Side::here) / mean_lost_here_ * cosine_pdf;
-    return {Vec3(value), lost_ * share * cosine_pdf};
+    return {Vec3(value), lost_ * share * pdf};
   }
   const float radiance_scale = is_thin_ ? 1.0f : 1 / sqr(eta_);
   const float value = multiple_transmitted_ * lost_ * lost_energy(wi, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
-  return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * cosine_pdf};
+  return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * pdf};
 }
 
 template <typename Facets>
@@ -175,7 +183,7 @@ std::optional<BsdfSample> BasicDielectricLobes<Facets>::sample(Vec3 wo, float u_
   if (is_delta_) return sample_delta(wo, u_lobe);
   BsdfSample result;
   if (u_lobe < lost_) {
-    result.wi = sample_cosine_hemisphere(u_direction);
+    result.wi = facets_.sample_multiple(u_direction);
     if (u_lobe < lost_ * multiple_transmitted_) result.wi.z = -result.wi.z;
   } else {
     const float u = glm::min((u_lobe - lost_) / (1 - lost_), one_minus_epsilon);

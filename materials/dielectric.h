@@ -5,11 +5,11 @@
 /// bend light: its transmission is the reflection lobe mirrored through the sheet, as the extension's text has it.
 /// KHR_materials_specular reshapes the reflectance between its f0 and f90; without it the exact curve stands. Energy
 /// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
-/// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, so that a rough volume with
-/// KHR_materials_specular may be off by up to 6 %. Seen from inside, a clear coat lies beyond the interface, and each
-/// facet gets Fresnel's reflectance of both, as if the coat were smooth and parallel to the facet: what a coat does not
-/// let in by one way it does not let out by the same. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is
-/// transmission.
+/// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, for each wavelength and with a coat
+/// beyond it, but not for KHR_materials_specular: such a rough volume may be off by up to 6 %. Seen from inside, a
+/// clear coat lies beyond the interface, and each facet gets Fresnel's reflectance of both, as if the coat were smooth
+/// and parallel to the facet: what a coat does not let in by one way it does not let out by the same. Local frame: z is
+/// the shading normal, wo.z > 0; wi.z < 0 is transmission.
 #pragma once
 
 #include <optional>

@@ -42,9 +42,11 @@ ThinFilm film_at(const Scene& scene, const BsdfTables& tables, const Material& m
 }
 
 ExtendedFacets extended_facets(const BsdfTables& tables, std::uint32_t material, float roughness, float strength,
-                               const ThinFilm& film) {
+                               float ior, const ThinFilm& film) {
   ExtendedFacets facets;
-  facets.ggx = &tables.ggx();
+  facets.ggx = tables.graded_ggx();
+  facets.dielectric = tables.graded_dielectric(material);
+  facets.ior = ior;
   facets.film = film;
   if (film) facets.angles = &tables.iridescence()->angles;
   if (strength > 0) {
@@ -55,7 +57,6 @@ ExtendedFacets extended_facets(const BsdfTables& tables, std::uint32_t material,
   } else {
     facets.alpha = Vec2(sqr(roughness));
     facets.roughness = roughness;
-    facets.dielectric = tables.dielectric(material);
   }
   return facets;
 }

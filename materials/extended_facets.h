@@ -1,4 +1,4 @@
-/// How a material's parameters and textures for KHR_materials_anisotropy and KHR_materials_iridescence become facets.
+/// How the parameters and textures of a material with extensions become facets.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ Anisotropy anisotropy_at(const Scene& scene, const Material& material, const Sur
 
 ThinFilm film_at(const Scene& scene, const BsdfTables& tables, const Material& material, const SurfacePoint& point);
 
-/// To be called only if one of the extensions has an effect.
+/// Of a material that has_extended_facets(). `ior`: of what it refracts, which may depend on the wavelength.
 ExtendedFacets extended_facets(const BsdfTables& tables, std::uint32_t material, float roughness, float strength,
-                               const ThinFilm& film);
+                               float ior, const ThinFilm& film);
 
 }  // namespace candil

@@ -14,12 +14,12 @@ float reflected_share(Vec3 wo, Vec3 h, Alpha alpha) {
   return wi.z > 0 ? ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha) : 0.0f;
 }
 
-/// A smooth dielectric facet; eta is the index beyond it over the one before it.
+/// A smooth dielectric facet; eta is the index beyond it over the one before it. Reflectance may follow from another.
 template <typename Alpha>
-float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
+float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta, float reflecting_eta) {
   const float cosine = glm::dot(wo, h);
   if (cosine <= 0) return 0;
-  const float reflectance = fresnel_dielectric(cosine, eta);
+  const float reflectance = fresnel_dielectric(cosine, reflecting_eta);
   const float masking = ggx_masking(wo, alpha);
   float energy = 0;
   const Vec3 reflected = 2 * cosine * h - wo;
@@ -29,6 +29,10 @@ float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
     if (refracted.z < 0) energy += (1 - reflectance) * ggx_masking_shadowing(wo, refracted, alpha) / masking;
   }
   return energy;
+}
+template <typename Alpha>
+float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
+  return dielectric_energy(wo, h, alpha, eta, eta);
 }
 
 }  // namespace candil

@@ -132,14 +132,14 @@ Bsdf make_bsdf(const Scene& scene, const BsdfTables& tables, const SurfacePoint&
   }
   const Anisotropy anisotropy = anisotropy_at(scene, material, point);
   const ThinFilm film = film_at(scene, tables, material, point);
-  const bool is_extended = anisotropy.strength > 0 || film;
+  const bool is_extended = has_extended_facets(material);
   if (anisotropy.strength > 0) bsdf.frame_ = Frame(normal, anisotropy.direction);
-  const auto facets = [&, roughness = roughness] {
-    return extended_facets(tables, point.material, roughness, anisotropy.strength, film);
-  };
   const float specular = material.specular * channel(scene, material.specular_texture, point, 3);
   const Vec3 color = textured_color(scene, material.specular_color, material.specular_color_texture, point);
   const auto [ior, reflecting_ior] = indices(material, is_front, wavelength);
+  const auto facets = [&, roughness = roughness, ior = ior] {
+    return extended_facets(tables, point.material, roughness, anisotropy.strength, ior, film);
+  };
   const Vec3 f0 = glm::min(reflectance_of_ior(reflecting_ior) * color, Vec3(1)) * specular;
   const Vec3 f90(specular);
   const float transmission =

@@ -69,6 +69,10 @@ BasicOpaqueLobes<Facets>::BasicOpaqueLobes(const OpaqueParameters& p, const Face
   const float other_energy = luminance(broad) + through_energy;
   specular_probability_ = other_energy > 0 ? specular_energy / (specular_energy + other_energy) : 1.0f;
   transmission_probability_ = through_energy > 0 ? through_energy / (specular_energy + other_energy) : 0.0f;
+  if constexpr (Facets::is_extended) {
+    const float multiple_energy = luminance(multiple_ * (1 - mean.total()));
+    if (multiple_energy > 0) multiple_probability_ = multiple_energy / (specular_energy + other_energy);
+  }
   albedo_ = glm::min(specular + broad + through, Vec3(1));
 }
 
@@ -131,6 +135,9 @@ BsdfEval BasicOpaqueLobes<Facets>::eval(Vec3 wo, Vec3 wi, const ShadowTerminator
     const GgxReflection facets = ggx_reflection(wo, wi, facets_.alpha);
     result.f_cos += reflectance(facets.cosine) * facets.value;
     result.pdf += specular_probability_ * facets.pdf;
+    if constexpr (Facets::is_extended) {
+      result.pdf += multiple_probability_ * (facets_.pdf_multiple(wi.z) - cosine_pdf);
+    }
   }
   return result;
 }
@@ -145,8 +152,13 @@ std::optional<BsdfSample> BasicOpaqueLobes<Facets>::sample(Vec3 wo, float u_lobe
     wi = sample_ggx_reflection(wo, facets_.alpha, u_direction);
     if (wi.z <= 0) return std::nullopt;  // shadowed: not what the other lobes transmit
   } else {
-    wi = sample_cosine_hemisphere(u_direction);
-    if (u_lobe < specular_probability_ + transmission_probability_) wi.z = -wi.z;
+    u_lobe -= specular_probability_;
+    if (Facets::is_extended && u_lobe < multiple_probability_) {
+      wi = facets_.sample_multiple(u_direction);
+    } else {
+      wi = sample_cosine_hemisphere(u_direction);
+      if (u_lobe < multiple_probability_ + transmission_probability_) wi.z = -wi.z;
+    }
   }
   std::optional<BsdfSample> sample = sample_of(wi, eval(wo, wi, terminator));
   if (sample) sample->is_transmission = wi.z < 0;

@@ -60,6 +60,7 @@ class BasicOpaqueLobes {
   Facets facets_;
   bool has_specular_ = false, is_delta_ = false;
   float specular_probability_ = 0, transmission_probability_ = 0;
+  float multiple_probability_ = 0;  // 0 if facets are plain: the cosine serves for that lobe too
   Vec3 f0_{0.0f}, f90_{0.0f};
   Vec3 diffuse_{0.0f};      // base albedo x (1 - coat albedo towards wo) / (1 - mean coat albedo)
   Vec3 transmitted_{0.0f};  // the same for the share that lets light through

@@ -46,7 +46,7 @@ LayerParameters read_layers(const Scene& scene, const Material& material, const 
 
 Layers make_layers(const LayerParameters& p, const BsdfTables& tables, Vec3 normal, Vec3 wo, Vec3 base_albedo) {
   std::optional<ClearcoatLobe> coat;
-  if (p.coat) coat.emplace(*p.coat, tables.ggx(), wo);
+  if (p.coat) coat.emplace(*p.coat, *tables.graded_ggx(), wo);
   std::optional<SheenLobe> sheen;
   if (p.sheen) sheen.emplace(*p.sheen, tables.sheen(), normal, wo);
   return {coat, sheen, base_albedo};

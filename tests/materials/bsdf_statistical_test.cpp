@@ -13,7 +13,7 @@ class BsdfSampling : public testing::TestWithParam<NamedMaterial> {};
 
 TEST_P(BsdfSampling, FollowsPdf) {
   const ClosureBench bench(GetParam().material);
-  for (const float angle : {5.0f, 60.0f, 80.0f, 125.0f}) {
+  for (const float angle : {5.0f, 60.0f, 80.0f, 88.0f, 93.0f, 125.0f}) {
     if (angle > 90 && !GetParam().material.is_transmissive()) continue;
     const Vec3 wo = direction_at(angle);
     const Bsdf bsdf = bench.bsdf(wo);

@@ -79,9 +79,12 @@ TEST(Bsdf, IsReciprocal) {
   }
 }
 
-bool is_coated_rough_glass(const Material& m) {
-  return m.is_volume() && m.roughness > 0 && m.extensions && m.extensions->clearcoat > 0;
+/// Layers, dispersion, diffuse transmission: the tables behind their energy are fine enough for grazing angles.
+bool has_exact_energy(const Material& m) {
+  return has_extended_facets(m) && m.extensions->anisotropy == 0 && m.extensions->iridescence == 0;
 }
+
+bool has_sheen(const Material& m) { return m.extensions && !is_black(m.extensions->sheen_color); }
 
 // Lossless closures under light from everywhere return exactly what they get (white furnace). The albedo tables are
 // interpolated, and 32768 low-discrepancy samples are averaged: 1 % covers both.
@@ -101,9 +104,27 @@ TEST(Bsdf, LosslessClosuresKeepAllEnergy) {
     for (const float angle : angles) {
       if (!sees_back(named.material, angle)) continue;
       const Vec3 energy = furnace(bench, direction_at(angle), 32768);
-      // From inside, the coat on rough glass adds to a reflectance whose losses are those of bare glass.
-      const float error = angle > 90 && is_coated_rough_glass(named.material) ? 0.02f : 0.01f;
+      // The coarse table of anisotropic glass: 1.1 % at 105 degrees.
+      const float error = named.name.starts_with("brushed_glass") ? 0.015f : 0.01f;
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(energy[c], 1, error) << named.name << " at " << angle;
+    }
+  }
+}
+
+// Samples of sheen are too few here to be averaged: sheen_test.cpp integrates it.
+TEST(Bsdf, LosslessLayersKeepAllEnergyAtGrazingAngles) {
+  for (const float roughness : {0.0f, 0.05f, 0.13f, 0.4f, 1.0f}) {
+    for (const NamedMaterial& named : materials_of_roughness(roughness)) {
+      if (!named.is_lossless || !has_exact_energy(named.material) || has_sheen(named.material)) continue;
+      const ClosureBench bench(named.material);
+      for (const float angle : {85.0f, 88.0f, 89.5f, 90.5f, 92.0f, 95.0f}) {
+        if (!sees_back(named.material, angle)) continue;
+        const Vec3 energy = furnace(bench, direction_at(angle), 16384);
+        for (int c = 0; c < 3; ++c) {
+          EXPECT_GT(energy[c], 0.99f) << named.name << " " << roughness << " at " << angle;
+          EXPECT_LT(energy[c], 1.005f) << named.name << " " << roughness << " at " << angle;
+        }
+      }
     }
   }
 }
@@ -115,12 +136,13 @@ TEST(Bsdf, NoClosureGainsEnergy) {
     const ClosureBench bench(named.material);
     for (const float angle : {0.0f, 30.0f, 60.0f, 85.0f, 89.0f, 91.0f, 120.0f, 180.0f}) {
       if (!sees_back(named.material, angle)) continue;
-      const Vec3 energy = furnace(bench, direction_at(angle), 8192);
+      const Vec3 energy = furnace(bench, direction_at(angle), has_exact_energy(named.material) ? 16384 : 8192);
       // KHR_materials_specular on rough glass reuses the tables of plain glass: off by 6 % at the most (dielectric.h).
       // The film on rough glass likewise, by 3.5 %.
-      const float most = named.name.starts_with("weak_specular_glass") ? 1.065f
-                         : named.name.starts_with("filmed_glass")      ? 1.04f
-                                                                       : 1.012f;
+      const float most = named.name.starts_with("weak_specular_glass")                    ? 1.065f
+                         : named.name.starts_with("filmed_glass")                         ? 1.04f
+                         : has_exact_energy(named.material) && !has_sheen(named.material) ? 1.005f
+                                                                                          : 1.012f;
       EXPECT_LT(max_component(energy), most) << named.name << " at " << angle;
       EXPECT_GT(max_component(energy), 0.05f) << named.name << " at " << angle;
     }

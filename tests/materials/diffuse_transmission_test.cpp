@@ -19,9 +19,9 @@ Material translucent(float share, float roughness = 0.5f) {
 // White stays white whatever share goes through, from either side and at grazing angles.
 TEST(DiffuseTransmission, WhiteKeepsItsEnergyForEveryShare) {
   for (const float share : {0.25f, 0.5f, 1.0f}) {
-    for (const float roughness : {0.0f, 0.1f, 0.4f, 1.0f}) {
+    for (const float roughness : {0.0f, 0.05f, 0.1f, 0.4f, 1.0f}) {
       const ClosureBench bench(translucent(share, roughness));
-      for (const float angle : {0.0f, 60.0f, 85.0f, 89.0f, 95.0f, 150.0f}) {
+      for (const float angle : {0.0f, 60.0f, 85.0f, 89.5f, 91.0f, 150.0f}) {
         const Vec3 wo = direction_at(angle);
         const Bsdf bsdf = bench.bsdf(wo);
         float energy = 0, through = 0;
@@ -35,12 +35,10 @@ TEST(DiffuseTransmission, WhiteKeepsItsEnergyForEveryShare) {
           energy += sample->weight.x / count;
           if (sample->is_transmission) through += sample->weight.x / count;
         }
-        // So close to grazing, the tables of any smooth coat lose up to 3.5 %.
-        const bool is_grazing = angle > 88 && angle < 92;
-        EXPECT_GT(energy, is_grazing ? 0.96f : 0.99f) << share << " roughness " << roughness << " at " << angle;
+        EXPECT_GT(energy, 0.99f) << share << " roughness " << roughness << " at " << angle;
         EXPECT_LT(energy, 1.005f) << share << " roughness " << roughness << " at " << angle;
         EXPECT_LT(through, share + 0.005f);
-        EXPECT_GT(through, 0.05f * share);
+        EXPECT_GT(through, 0.03f * share);
       }
     }
   }
@@ -75,7 +73,8 @@ TEST(DiffuseTransmission, IsForTheDiffuseBaseAlone) {
   m.transmission = 1;
   Material sheet = m;
   sheet.extensions.reset();
-  EXPECT_EQ(ClosureBench(m).bsdf(wo).eval(wo, beyond).f_cos, ClosureBench(sheet).bsdf(wo).eval(wo, beyond).f_cos);
+  const float through = ClosureBench(sheet).bsdf(wo).eval(wo, beyond).f_cos.x;
+  EXPECT_NEAR(ClosureBench(m).bsdf(wo).eval(wo, beyond).f_cos.x, through, 0.01f * through) << "finer tables";
 }
 
 // Under a bent normal light from behind fades towards the horizon of the back as it does in front.

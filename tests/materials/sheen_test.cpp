@@ -89,5 +89,52 @@ TEST(Sheen, MakesNoEnergy) {
   EXPECT_EQ(lobe.taken(), 1);
 }
 
+/// Energy that leaves for radiance 1 from everywhere, of a closure without mirrors, by midpoints that are close to each
+/// other at grazing angles. None of it refracts.
+Vec3 energy(const Bsdf& bsdf, Vec3 wo) {
+  constexpr int rows = 96, columns = 64;
+  Vec3 sum(0);
+  for (int i = 0; i < rows; ++i) {
+    const float t = (static_cast<float>(i) + 0.5f) / rows, z = t * t * t, sine = std::sqrt(1 - z * z);
+    for (int j = 0; j < columns; ++j) {
+      const float phi = 2 * pi * (static_cast<float>(j) + 0.5f) / columns;
+      const Vec3 wi(sine * std::cos(phi), sine * std::sin(phi), z);
+      sum += (bsdf.eval(wo, wi).f_cos + bsdf.eval(wo, Vec3(wi.x, wi.y, -wi.z)).f_cos) * (3 * t * t);
+    }
+  }
+  return sum * (2 * pi / (rows * columns));
+}
+
+Material white(float roughness) {
+  Material m;
+  m.metallic = 0, m.roughness = roughness;
+  m.extensions.emplace();
+  return m;
+}
+
+// On everything that is white and not too glossy to be integrated, below a coat, and letting light through.
+TEST(Sheen, KeepsAllEnergyOfWhite) {
+  Material diffuse = white(1), plastic = white(0.6f), metal = white(0.6f), translucent = white(0.6f), coated = white(1);
+  diffuse.specular = 0;
+  metal.metallic = 1;
+  translucent.extensions->diffuse_transmission = 0.5f;
+  coated.extensions->clearcoat = 1, coated.extensions->clearcoat_roughness = 0.6f;
+  coated.extensions->diffuse_transmission = 0.3f;
+  for (Material material : {diffuse, plastic, metal, translucent, coated}) {
+    for (const float roughness : {0.0f, 0.09f, 0.14f, 0.3f, 0.62f, 1.0f}) {
+      for (const Vec3 color : {Vec3(1), Vec3(0.4f)}) {
+        material.extensions->sheen_color = color, material.extensions->sheen_roughness = roughness;
+        const ClosureBench bench(material);
+        for (const float angle : {0.0f, 50.0f, 75.0f, 83.0f, 87.0f, 89.5f, 91.0f, 100.0f}) {
+          if (angle > 90 && !material.is_transmissive()) continue;
+          const Vec3 wo = direction_at(angle), all = energy(bench.bsdf(wo), wo);
+          EXPECT_GT(min_component(all), 0.99f) << roughness << " at " << angle;
+          EXPECT_LT(max_component(all), 1.005f) << roughness << " at " << angle;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace candil::test

@@ -58,6 +58,28 @@ TEST(GltfVolumeScatter, WhiteScatterersAreAFurnace) {
   }
 }
 
+// The same in glass, smooth and rough, out of which light finds its way only after some reflections. Nothing is lost
+// but by the walks that are cut off.
+TEST(GltfVolumeScatter, WhiteScatterersInGlassAreAFurnace) {
+  for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+    for (const float coat : {0.0f, 1.0f}) {
+      Material material = load_volume(R"("multiscatterColor":[1,1,1],"scatterAnisotropy":0.3)",
+                                      R"("attenuationColor":[0.2,0.2,0.2],"attenuationDistance":0.3)",
+                                      R"("KHR_materials_transmission":{"transmissionFactor":1})");
+      material.roughness = roughness;
+      material.extensions->multiscatter_color = Vec3(1);
+      material.extensions->clearcoat = coat;
+      const Stage stage = cube_in_white_light(material);
+      for (const Integrator integrator : {trace_path, trace_naive}) {
+        const Estimate e = estimate_radiance(stage, integrator, down, 4096);
+        EXPECT_GT(e.mean.x, 0.99f - 6 * e.standard_error.x) << roughness << " coat " << coat;
+        EXPECT_LT(e.mean.x, 1.005f + 6 * e.standard_error.x) << roughness << " coat " << coat;
+        EXPECT_LT(e.standard_error.x, 0.01f);
+      }
+    }
+  }
+}
+
 // Nearly black scatterers absorb: through one metre, Beer and Lambert's law with the whole extinction.
 TEST(GltfVolumeScatter, BlackScatterersAttenuateByBeerLambert) {
   const Stage stage = cube_in_white_light(load_volume(R"("multiscatterColor":[0.0001,0.0001,0.0001])",

@@ -104,6 +104,10 @@ std::vector<NamedMaterial> coated_materials(float r) {
       {"coated_glass", coated(glass(0, 1.5f), 1, r), true, false},
       {"coated_rough_glass", coated(glass(0.4f, 1.5f), 1, r), true, false},
       {"coated_sheet", coated(sheet(0), 1, r), true, false},
+      {"coated_translucent", coated(translucent(0.4f, 0.5f), 1, r), true, false},
+      {"smooth_coat_on_translucent", coated(translucent(r, 0.5f), 1, 0), true, false},
+      {"smooth_coat_on_glass", coated(glass(r, 1.5f), 1, 0), true, false},
+      {"coated_diamond", coated(glass(r, 2.42f), 1, 0.1f), true, false},
       {"coated_rough_sheet", coated(sheet(0.4f), 1, r), true, false},
       {"coated_half_transmissive_glass",
        coated(with(glass(0.3f, 1.5f), [](Material& m) { m.transmission = 0.5f; }), 0.5f, r), true, false},
@@ -132,6 +136,7 @@ std::vector<NamedMaterial> sheen_materials(float r) {
       {"sheen_on_glass", with_sheen(glass(0, 1.5f), white_sheen, r), true, false},
       {"sheen_on_rough_glass", with_sheen(glass(0.4f, 1.5f), white_sheen, r), true, false},
       {"sheen_on_sheet", with_sheen(sheet(0.4f), white_sheen, r), true, false},
+      {"sheen_on_translucent", with_sheen(translucent(0.4f, 0.5f), white_sheen, r), true, false},
       {"coat_and_sheen_on_plastic", coated(with_sheen(white(0.4f), white_sheen, r), 1, 0.3f), true, false},
       {"smooth_coat_and_sheen_on_glass", coated(with_sheen(glass(0, 1.5f), Vec3(0.7f), r), 0.8f, 0), true, false},
   };
@@ -210,6 +215,8 @@ std::vector<NamedMaterial> plain_materials(float r) {
   };
 }
 
+}  // namespace
+
 std::vector<NamedMaterial> materials_of_roughness(float r) {
   std::vector<NamedMaterial> all = plain_materials(r);
   const auto add = [&](const std::vector<NamedMaterial>& more) { all.insert(all.end(), more.begin(), more.end()); };
@@ -217,8 +224,6 @@ std::vector<NamedMaterial> materials_of_roughness(float r) {
   add(sheen_materials(r));
   return all;
 }
-
-}  // namespace
 
 std::vector<NamedMaterial> rough_materials() {
   std::vector<NamedMaterial> all;
@@ -229,7 +234,10 @@ std::vector<NamedMaterial> rough_materials() {
     }
   }
   for (const NamedMaterial& m : coated_materials(0)) {
-    if (m.name != "coated_mirror" && m.name != "coated_glass" && m.name != "coated_sheet") all.push_back(m);
+    if (m.name != "coated_mirror" && m.name != "coated_glass" && m.name != "coated_sheet" &&
+        !m.name.starts_with("smooth_coat_on")) {
+      all.push_back(m);
+    }
   }
   return all;
 }

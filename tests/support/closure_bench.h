@@ -18,6 +18,9 @@ struct NamedMaterial {
 /// One of every kind of closure: opaque, metallic, refracting, thin, mixtures, and layers on them. None has delta lobes
 /// alone.
 std::vector<NamedMaterial> rough_materials();
+/// The same kinds, and some that are purely delta where they are smooth, of that perceptual roughness of the surface or
+/// of the layers.
+std::vector<NamedMaterial> materials_of_roughness(float roughness);
 /// The same kinds with perfectly smooth surfaces.
 std::vector<NamedMaterial> smooth_materials();
 

@@ -1,0 +1,104 @@
+#include "materials/graded_albedo.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "materials/clearcoat.h"
+#include "materials/facet_energy.h"
+
+namespace candil {
+namespace {
+
+constexpr int sample_count = 610;
+
+/// Points of a Fibonacci lattice on one half of the visible facets: the other half mirrors it.
+const std::array<Vec2, sample_count> facet_samples = [] {
+  std::array<Vec2, sample_count> samples;
+  constexpr int previous_fibonacci_number = 377;
+  for (int i = 0; i < sample_count; ++i) {
+    const int permuted = i * previous_fibonacci_number % sample_count;
+    samples[i] = {0.5f * (static_cast<float>(i) + 0.5f) / sample_count,
+                  (static_cast<float>(permuted) + 0.5f) / sample_count};
+  }
+  return samples;
+}();
+
+/// Integral of 2 c dc times a function that is linear in the root of c, from `left` at root a to `right` at root b.
+template <typename Value>
+Value cosine_weighted_integral(float a, float b, Value left, Value right) {
+  // 2 c dc = 4 t^3 dt with t the root.
+  const float a4 = sqr(sqr(a)), b4 = sqr(sqr(b));
+  const float whole = b4 - a4;
+  const float weight_right = (0.8f * (b4 * b - a4 * a) - a * whole) / (b - a);
+  return (whole - weight_right) * left + weight_right * right;
+}
+
+/// Energy of a facet seen from inside, where the coat adds to what it reflects and takes from what it transmits.
+float energy_by_coat(Vec3 wo, Vec3 h, float alpha, float eta) {
+  const float cosine = glm::dot(wo, h);
+  if (cosine <= 0) return 0;
+  const float reflectance = fresnel_dielectric(cosine, eta);
+  if (reflectance >= 1) return 0;
+  const float masking = ggx_masking(wo, alpha);
+  const Vec3 reflected = 2 * cosine * h - wo, refracted = refract(wo, h, eta);
+  float difference = 0;
+  if (reflected.z > 0) difference += ggx_masking_shadowing(wo, reflected, alpha) / masking;
+  if (refracted.z < 0) difference -= ggx_masking_shadowing(wo, refracted, alpha) / masking;
+  return (1 - reflectance) * clearcoat_reflectance(-glm::dot(refracted, h)) * difference;
+}
+
+/// Indices of refraction from the least to the greatest whose albedos are linear in between: within 0.1 %.
+int ior_count(float least, float greatest) {
+  constexpr float step = 0.06f, most = 8;
+  return greatest > least ? 1 + static_cast<int>(std::ceil(glm::min((greatest - least) / step, most))) : 1;
+}
+
+}  // namespace
+
+template <typename Value>
+template <typename Function>
+void GradedGrid<Value>::fill(const Function& value) {
+  const auto coordinate = [](int i, int count) { return sqr(grid_coordinate(i, count)); };
+  tbb::parallel_for(0, roughness_count, [&](int r) {
+    const float alpha = glm::max(sqr(coordinate(r, roughness_count)), ggx_min_alpha);
+    for (int c = 0; c < cosine_count; ++c) {
+      const float cosine = glm::max(coordinate(c, cosine_count), 1e-4f);  // the limit of grazing incidence
+      const Vec3 wo(safe_sqrt(1 - sqr(cosine)), 0, cosine);
+      Value sum(0.0f);
+      for (const Vec2 u : facet_samples) sum += value(wo, sample_ggx_visible(wo, alpha, u), alpha);
+      values_[r][c] = sum / static_cast<float>(sample_count);
+    }
+    averages_[r] = Value(0.0f);
+    for (int c = 0; c + 1 < cosine_count; ++c) {
+      averages_[r] += cosine_weighted_integral(grid_coordinate(c, cosine_count), grid_coordinate(c + 1, cosine_count),
+                                               values_[r][c], values_[r][c + 1]);
+    }
+  });
+}
+
+const GradedGgxAlbedo& GradedGgxAlbedo::shared() {
+  static const GradedGgxAlbedo table;
+  return table;
+}
+
+GradedGgxAlbedo::GradedGgxAlbedo() {
+  grid_.fill([](Vec3 wo, Vec3 h, float alpha) {
+    const float schlick = fresnel_schlick(Vec3(0), Vec3(1), glm::dot(wo, h)).x;
+    return Vec2(1 - schlick, schlick) * reflected_share(wo, h, alpha);
+  });
+}
+
+GradedDielectricAlbedo::GradedDielectricAlbedo(const DielectricRange& range)
+    : range_(range), grids_(ior_count(range.least_ior, range.greatest_ior)) {
+  for (std::size_t i = 0; i < grids_.size(); ++i) {
+    const float fraction = grids_.size() > 1 ? static_cast<float>(i) / static_cast<float>(grids_.size() - 1) : 0.0f;
+    const float ior = glm::mix(range.least_ior, range.greatest_ior, fraction);
+    grids_[i].fill([ior, &range](Vec3 wo, Vec3 h, float alpha) {
+      return Vec3(dielectric_energy(wo, h, alpha, ior, range.mean_ior), dielectric_energy(wo, h, alpha, 1 / ior),
+                  range.may_be_coated ? energy_by_coat(wo, h, alpha, 1 / ior) : 0.0f);
+    });
+  }
+}
+
+}  // namespace candil
