@@ -1,34 +1,20 @@
 #include "materials/anisotropy.h"
 
-#include <tbb/parallel_for.h>
-
-#include <cmath>
-
-#include "core/sampler.h"
 #include "materials/facet_energy.h"
-#include "materials/grid_position.h"
 
 namespace candil {
 namespace {
-
-constexpr std::uint32_t sample_count = 512;
-const float least_roughness = std::sqrt(ggx_min_alpha);
 
 /// Where `value` lies between `low` and `high`, which may be the same.
 float coordinate_between(float low, float high, float value) {
   return high - low > 1e-6f ? (value - low) / (high - low) : 0.0f;
 }
 
-/// Perceptual roughnesses of a cell; the smaller one is along y.
-Vec2 roughness_at(float coordinate_roughness, float coordinate_strength) {
-  const float along_y = glm::mix(least_roughness, 1.0f, coordinate_roughness);
-  return {glm::mix(along_y, 1.0f, coordinate_strength), along_y};
-}
-
 /// Coordinate of the slope of masking, which is alpha times the tangent: dense at both of its ends.
 float slope_coordinate(float slope) { return 1 / (1 + glm::sqrt(slope)); }
 float slope_at(float coordinate) { return sqr(1 / glm::max(coordinate, 1e-3f) - 1); }
 
+/// `roughness`: perceptual.
 Vec3 direction_at(Vec2 roughness, float coordinate_azimuth, float coordinate_slope) {
   const float projected = sqr(glm::mix(roughness.y, roughness.x, coordinate_azimuth));
   const Vec2 alpha = roughness * roughness;
@@ -38,6 +24,9 @@ Vec3 direction_at(Vec2 roughness, float coordinate_azimuth, float coordinate_slo
   return {sine * glm::sqrt(cos2), sine * glm::sqrt(1 - cos2), cosine};
 }
 
+/// What is met so rarely that its share of the total is arbitrary.
+float divisor(float total) { return glm::max(total, 1e-5f); }
+
 }  // namespace
 
 Vec2 anisotropic_alpha(float roughness, float strength) {
@@ -45,88 +34,117 @@ Vec2 anisotropic_alpha(float roughness, float strength) {
   return glm::max(Vec2(glm::mix(alpha, 1.0f, sqr(strength)), alpha), Vec2(ggx_min_alpha));
 }
 
-/// The four rows around a pair of roughnesses.
-struct AnisotropicGrid::Rows {
-  GridPosition roughness, strength;
-  explicit Rows(Vec2 perceptual)
-      : roughness(coordinate_between(least_roughness, 1, perceptual.y), roughness_count),
-        strength(coordinate_between(perceptual.y, 1, perceptual.x), strength_count) {}
+AnisotropicAlbedo::AnisotropicAlbedo(bool has_films) {
+  fill_totals();
+  bias_.fill([](Vec3 wo, Vec2 alpha) -> std::array<float, 1> {
+    const auto [reflected, bias] = mean_over_facets<256>(wo, alpha, [&](Vec3 h) {
+      const float share = reflected_share(wo, h, alpha);
+      return std::array{share, share * fresnel_schlick(Vec3(0), Vec3(1), glm::dot(wo, h)).x};
+    });
+    return {bias / divisor(reflected)};
+  });
+  averages_.fill([&](Vec2 alpha, Vec3 w) {
+    const GgxAlbedo::Split split = directional(alpha, w);
+    return std::array{split.total(), split.bias};
+  });
+  if (!has_films) return;
+  nodes_ = std::make_unique<Nodes>();
+  nodes_->shares.fill([](Vec3 wo, Vec2 alpha) {
+    constexpr int count = FacetAngles::node_count;
+    const auto sums = mean_over_facets<256>(wo, alpha, [&](Vec3 h) {
+      std::array<float, count + 1> all;  // the last one is the total
+      const float share = all[count] = reflected_share(wo, h, alpha);
+      const float position = glm::dot(wo, h) * (count + 1) - 1;
+      for (int i = 0; i < count; ++i) all[i] = share * glm::max(0.0f, 1 - glm::abs(position - static_cast<float>(i)));
+      return all;
+    });
+    FacetAngles::Nodes shares;
+    for (int i = 0; i < count; ++i) shares[i] = sums[i] / divisor(sums[count]);
+    return shares;
+  });
+  nodes_->means.fill([&](Vec2 alpha, Vec3 w) { return directional_nodes(alpha, w); });
+}
 
-  template <typename Value>
-  Vec2 interpolate(const Value& value) const {
-    const auto along_strength = [&](int r) {
-      return glm::mix(value(row(r, strength.index)), value(row(r, strength.index + 1)), strength.fraction);
-    };
-    return glm::mix(along_strength(roughness.index), along_strength(roughness.index + 1), roughness.fraction);
-  }
-};
-
-template <typename Value>
-void AnisotropicGrid::fill(const Value& value) {
-  std::vector<Vec2> samples(sample_count);
-  for (std::uint32_t i = 0; i < sample_count; ++i) samples[i] = Sampler({0, 0}, i, 0).sample_2d(0);
-  values_.resize(row(roughness_count, 0) * azimuth_count * slope_count);
-  averages_.resize(row(roughness_count, 0));
-  tbb::parallel_for(0, roughness_count * strength_count, [&](int cell) {
-    const Vec2 roughness = roughness_at(grid_coordinate(cell / strength_count, roughness_count),
-                                        grid_coordinate(cell % strength_count, strength_count));
-    const Vec2 alpha = roughness * roughness;
-    Vec2* out = values_.data() + static_cast<std::size_t>(cell) * azimuth_count * slope_count;
+void AnisotropicAlbedo::fill_totals() {
+  totals_.resize(static_cast<std::size_t>(Rows::count) * cell_count);
+  tbb::parallel_for(0, Rows::count, [&](int row) {
+    const Vec2 roughness = Rows::roughness(row), alpha = roughness * roughness;
+    float* out = totals_.data() + static_cast<std::size_t>(row) * cell_count;
     for (int a = 0; a < azimuth_count; ++a) {
       for (int s = 0; s < slope_count; ++s, ++out) {
         const Vec3 wo = direction_at(roughness, grid_coordinate(a, azimuth_count), grid_coordinate(s, slope_count));
-        Vec2 sum(0);
-        for (const Vec2 u : samples) sum += value(wo, sample_ggx_visible(wo, alpha, u), alpha);
-        *out = sum / static_cast<float>(sample_count);
+        *out = mean_over_facets<512>(wo, alpha, [&](Vec3 h) { return std::array{reflected_share(wo, h, alpha)}; })[0];
       }
     }
-  });
-  // The mean of what directional() returns, by midpoints in azimuth and squared cosine.
-  constexpr int azimuths = 16, cosines = 64;
-  tbb::parallel_for(0, roughness_count * strength_count, [&](int cell) {
-    const Vec2 roughness = roughness_at(grid_coordinate(cell / strength_count, roughness_count),
-                                        grid_coordinate(cell % strength_count, strength_count));
-    Vec2 sum(0);
-    for (int a = 0; a < azimuths; ++a) {
-      const float phi = (static_cast<float>(a) + 0.5f) / azimuths * (0.5f * pi);
-      for (int c = 0; c < cosines; ++c) {
-        const float cos2 = (static_cast<float>(c) + 0.5f) / cosines, sine = glm::sqrt(1 - cos2);
-        sum += directional(roughness * roughness, Vec3(sine * std::cos(phi), sine * std::sin(phi), glm::sqrt(cos2)));
-      }
-    }
-    averages_[static_cast<std::size_t>(cell)] = sum / static_cast<float>(azimuths * cosines);
   });
 }
 
-Vec2 AnisotropicGrid::directional(Vec2 alpha, Vec3 w) const {
+float AnisotropicAlbedo::total(Vec2 alpha, Vec3 w) const {
   const Vec2 perceptual = glm::sqrt(alpha);
   const float sin2 = sqr(w.x) + sqr(w.y);
   const float steepness = glm::sqrt(sqr(alpha.x * w.x) + sqr(alpha.y * w.y));  // projected alpha times the sine
   const float projected = sin2 > 0 ? steepness / glm::sqrt(sin2) : alpha.y;
-  const Rows rows(perceptual);
   const GridPosition azimuth(coordinate_between(perceptual.y, perceptual.x, glm::sqrt(projected)), azimuth_count);
   const GridPosition slope(slope_coordinate(steepness / glm::max(glm::abs(w.z), 1e-6f)), slope_count);
-  const std::size_t offset =
-      static_cast<std::size_t>(azimuth.index) * slope_count + static_cast<std::size_t>(slope.index);
-  return rows.interpolate([&](std::size_t cell) {
-    const Vec2* v = values_.data() + cell * (azimuth_count * slope_count) + offset;
-    return glm::mix(glm::mix(v[0], v[1], slope.fraction), glm::mix(v[slope_count], v[slope_count + 1], slope.fraction),
-                    azimuth.fraction);
+  const Rows::Around rows = Rows::around(alpha);
+  float result = 0;
+  for (int i = 0; i < 4; ++i) {
+    const float* v = totals_.data() + rows.row[i] * cell_count + azimuth.index * slope_count + slope.index;
+    result += rows.weight[i] * glm::mix(glm::mix(v[0], v[1], slope.fraction),
+                                        glm::mix(v[slope_count], v[slope_count + 1], slope.fraction), azimuth.fraction);
+  }
+  return result;
+}
+
+GgxAlbedo::Split AnisotropicAlbedo::directional(Vec2 alpha, Vec3 w) const {
+  const float all = total(alpha, w), bias = all * bias_(alpha, w)[0];
+  return {all - bias, bias};
+}
+
+GgxAlbedo::Split AnisotropicAlbedo::average(Vec2 alpha) const {
+  const auto [all, bias] = averages_(alpha);
+  return {all - bias, bias};
+}
+
+FacetAngles::Nodes AnisotropicAlbedo::directional_nodes(Vec2 alpha, Vec3 w) const {
+  FacetAngles::Nodes nodes = nodes_->shares(alpha, w);
+  const float all = total(alpha, w);
+  for (float& share : nodes) share *= all;
+  return nodes;
+}
+
+AnisotropicDielectricAlbedo::AnisotropicDielectricAlbedo(float ior, bool has_films, const AnisotropicAlbedo& reflecting)
+    : ior_(ior),
+      reflecting_(&reflecting),
+      sides_{Side(ior, false, has_films, reflecting), Side(1 / ior, true, has_films, reflecting)} {}
+
+AnisotropicDielectricAlbedo::Side::Side(float eta, bool is_inside, bool has_films, const AnisotropicAlbedo& reflecting)
+    : shares(eta) {
+  shares.fill([eta](Vec3 wo, Vec2 alpha) -> std::array<float, 2> {
+    const auto [lost_if_reflected, of_reflected, of_refracted] = mean_over_facets<512>(wo, alpha, [&](Vec3 h) {
+      const float cosine = glm::max(0.0f, glm::dot(wo, h)), reflectance = fresnel_dielectric(cosine, eta);
+      const float lost = 1 - reflected_share(wo, h, alpha);
+      return std::array{lost, reflectance * lost,
+                        reflectance < 1 ? (1 - reflectance) * (1 - refracted_share(wo, h, alpha, eta)) : 0.0f};
+    });
+    // From the denser side, facets refract grazing light back towards their own side: it is lost where hardly anything
+    // that is reflected is.
+    if (eta > 1) return {(of_reflected + of_refracted) / divisor(lost_if_reflected), 0.0f};
+    return {of_reflected / divisor(lost_if_reflected), of_refracted};
   });
-}
-
-Vec2 AnisotropicGrid::average(Vec2 alpha) const {
-  return Rows(glm::sqrt(alpha)).interpolate([&](std::size_t cell) { return averages_[cell]; });
-}
-
-AnisotropicAlbedo::AnisotropicAlbedo() {
-  grid_.fill([](Vec3 wo, Vec3 h, Vec2 alpha) { return Vec2(reflected_share(wo, h, alpha)); });
-}
-
-AnisotropicDielectricAlbedo::AnisotropicDielectricAlbedo(float ior) : ior_(ior) {
-  grid_.fill([ior](Vec3 wo, Vec3 h, Vec2 alpha) {
-    return Vec2(dielectric_energy(wo, h, alpha, ior), dielectric_energy(wo, h, alpha, 1 / ior));
+  mean_lost.fill([&](Vec2 alpha, Vec3 w) { return std::array{lost(alpha, w, reflecting)}; });
+  if (!has_films) return;
+  nodes = std::make_unique<Nodes>(Nodes{AnisotropicGrid<FilmedDielectricAlbedo::node_count>(eta), {}});
+  nodes->directional.fill([&](Vec3 wo, Vec2 alpha) {
+    return mean_over_facets<256>(
+        wo, alpha, [&](Vec3 h) { return FilmedDielectricAlbedo::of_facet(wo, h, alpha, eta, is_inside); });
   });
+  nodes->means.fill([&](Vec2 alpha, Vec3 w) { return nodes->directional(alpha, w); });
+}
+
+float AnisotropicDielectricAlbedo::Side::lost(Vec2 alpha, Vec3 w, const AnisotropicAlbedo& reflecting) const {
+  const auto [factor, besides] = shares(alpha, w);
+  return factor * glm::max(0.0f, 1 - reflecting.total(alpha, w)) + besides;
 }
 
 }  // namespace candil

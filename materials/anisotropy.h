@@ -2,13 +2,15 @@
 ///
 /// It depends on four numbers: both roughnesses and the direction. Smith's masking sees the direction only by its
 /// projected roughness times the tangent of its angle, the slope at which facets hide each other; tabulated over this
-/// slope, over where the projected roughness lies between the two, and over these, the albedo is so smooth that a
-/// coarse grid will do: a white furnace stays white within 1 %, within 2 % for a coated base and 7 % for glass where
-/// the strength is 1 (tests/materials/anisotropy_test.cpp).
+/// slope, over where the projected roughness lies between the two, and over these, the albedo of what reflects
+/// everything is so smooth that a coarse grid will do. Fresnel's term depends on the direction otherwise, and smoothly:
+/// it is tabulated as a factor, in coordinates of its own (anisotropic_grid.h).
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "materials/anisotropic_grid.h"
 #include "materials/ggx_albedo.h"
 
 namespace candil {
@@ -16,49 +18,72 @@ namespace candil {
 /// Squared perceptual roughness along x and y: along x it grows with the strength (KHR_materials_anisotropy).
 Vec2 anisotropic_alpha(float roughness, float strength);
 
-/// Values over anisotropic_alpha() and the upper hemisphere, linearly interpolated, with their cosine-weighted means.
-class AnisotropicGrid {
- public:
-  /// Mean of `value(wo, h, alpha)` over visible facet normals h of each cell.
-  template <typename Value>
-  void fill(const Value& value);
-  /// `alpha` from anisotropic_alpha(); w.z > 0 or < 0, all the same.
-  Vec2 directional(Vec2 alpha, Vec3 w) const;
-  Vec2 average(Vec2 alpha) const;
+// In what follows, `alpha` is from anisotropic_alpha(), and directions are on either side of the surface.
 
- private:
-  static constexpr int roughness_count = 12, strength_count = 16, azimuth_count = 8, slope_count = 16;
-  struct Rows;
-  static std::size_t row(int roughness, int strength) {
-    return static_cast<std::size_t>(roughness) * strength_count + static_cast<std::size_t>(strength);
-  }
-
-  std::vector<Vec2> values_;  // by roughness, strength, azimuth, slope
-  std::vector<Vec2> averages_;
-};
-
-/// An anisotropic interface that reflects everything.
+/// GgxAlbedo and FacetAngles of an anisotropic interface.
 class AnisotropicAlbedo {
  public:
-  AnisotropicAlbedo();
-  float directional(Vec2 alpha, Vec3 w) const { return grid_.directional(alpha, w).x; }
-  float average(Vec2 alpha) const { return grid_.average(alpha).x; }
+  /// `has_films`: the nodes of FacetAngles will be asked for.
+  explicit AnisotropicAlbedo(bool has_films);
+
+  /// Where Fresnel's term is 1 everywhere.
+  float total(Vec2 alpha, Vec3 w) const;
+  GgxAlbedo::Split directional(Vec2 alpha, Vec3 w) const;
+  GgxAlbedo::Split average(Vec2 alpha) const;
+  FacetAngles::Nodes directional_nodes(Vec2 alpha, Vec3 w) const;
+  FacetAngles::Nodes average_nodes(Vec2 alpha) const { return nodes_->means(alpha); }
 
  private:
-  AnisotropicGrid grid_;
+  static constexpr int azimuth_count = 10, slope_count = 20, cell_count = azimuth_count * slope_count;
+  using Rows = AnisotropicRows<12, 12>;
+  struct Nodes {
+    AnisotropicGrid<FacetAngles::node_count> shares;  // of the total
+    AnisotropicMeans<FacetAngles::node_count> means;
+  };
+
+  void fill_totals();
+
+  std::vector<float> totals_;     // by row, azimuth, slope
+  AnisotropicGrid<1> bias_;       // as a share of the total
+  AnisotropicMeans<2> averages_;  // total, bias
+  std::unique_ptr<Nodes> nodes_;
 };
 
-/// DielectricAlbedo of an anisotropic interface.
+/// DielectricAlbedo and FilmedDielectricAlbedo of an anisotropic interface.
 class AnisotropicDielectricAlbedo {
  public:
-  explicit AnisotropicDielectricAlbedo(float ior);
-  float directional(Vec2 alpha, Vec3 w, bool from_inside) const { return grid_.directional(alpha, w)[from_inside]; }
-  float average(Vec2 alpha, bool from_inside) const { return grid_.average(alpha)[from_inside]; }
+  /// `reflecting` must outlive it.
+  AnisotropicDielectricAlbedo(float ior, bool has_films, const AnisotropicAlbedo& reflecting);
+
+  float directional(Vec2 alpha, Vec3 w, bool from_inside) const {
+    return 1 - sides_[from_inside].lost(alpha, w, *reflecting_);
+  }
+  float average(Vec2 alpha, bool from_inside) const { return 1 - sides_[from_inside].mean_lost(alpha)[0]; }
+  FilmedDielectricAlbedo::Nodes directional_nodes(Vec2 alpha, Vec3 w, bool from_inside) const {
+    return sides_[from_inside].nodes->directional(alpha, w);
+  }
+  FilmedDielectricAlbedo::Nodes average_nodes(Vec2 alpha, bool from_inside) const {
+    return sides_[from_inside].nodes->means(alpha);
+  }
   float ior() const { return ior_; }
 
  private:
+  struct Nodes {
+    AnisotropicGrid<FilmedDielectricAlbedo::node_count> directional;
+    AnisotropicMeans<FilmedDielectricAlbedo::node_count> means;
+  };
+  struct Side {
+    Side(float eta, bool is_inside, bool has_films, const AnisotropicAlbedo& reflecting);
+    float lost(Vec2 alpha, Vec3 w, const AnisotropicAlbedo& reflecting) const;
+
+    AnisotropicGrid<2> shares;  // the factor of what is lost if everything is reflected, and what is lost besides
+    AnisotropicMeans<1> mean_lost;
+    std::unique_ptr<Nodes> nodes;
+  };
+
   float ior_;
-  AnisotropicGrid grid_;  // from outside, from inside
+  const AnisotropicAlbedo* reflecting_;
+  std::array<Side, 2> sides_;  // from outside, from inside
 };
 
 }  // namespace candil

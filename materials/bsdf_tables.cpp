@@ -10,11 +10,11 @@ namespace candil {
 namespace {
 
 /// The place of the table for that index of refraction, which is made if there is none.
-template <typename Table>
-std::uint32_t table_of(std::vector<Table>& tables, float ior) {
+template <typename Table, typename... More>
+std::uint32_t table_of(std::vector<Table>& tables, float ior, const More&... more) {
   const auto known = std::find_if(tables.begin(), tables.end(), [&](const Table& table) { return table.ior() == ior; });
   const auto place = static_cast<std::uint32_t>(known - tables.begin());
-  if (known == tables.end()) tables.emplace_back(ior);
+  if (known == tables.end()) tables.emplace_back(ior, more...);
   return place;
 }
 
@@ -33,6 +33,10 @@ std::uint32_t graded_table_of(std::vector<GradedDielectricAlbedo>& tables, const
   return place;
 }
 
+bool is_used(const Material& material, float MaterialExtensions::*extension) {
+  return material.extensions && (*material.extensions).*extension > 0;
+}
+
 }  // namespace
 
 bool has_extended_facets(const Material& material) {
@@ -46,7 +50,11 @@ BsdfTables::BsdfTables(const Scene& scene)
     : dielectric_of_material_(scene.materials.size(), invalid_id),
       graded_dielectric_of_material_(scene.materials.size(), invalid_id),
       anisotropic_dielectric_of_material_(scene.materials.size(), invalid_id),
+      filmed_dielectric_of_material_(scene.materials.size(), invalid_id),
       mean_fresnel_of_material_(scene.materials.size()) {
+  const bool has_films = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    return is_used(material, &MaterialExtensions::iridescence);
+  });
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
     if (material.model == MaterialModel::conductor) {
@@ -56,11 +64,10 @@ BsdfTables::BsdfTables(const Scene& scene)
     if (!sheen_ && material.extensions && !is_black(material.extensions->sheen_color)) sheen_.emplace();
     const bool is_extended = has_extended_facets(material);
     if (is_extended) graded_ggx_ = &GradedGgxAlbedo::shared();
-    const bool is_anisotropic = material.extensions && material.extensions->anisotropy > 0;
-    if (is_anisotropic && !anisotropic_ggx_) anisotropic_ggx_ = std::make_unique<AnisotropicAlbedo>();
-    if (material.extensions && material.extensions->iridescence > 0 && !iridescence_) {
-      iridescence_ = std::make_unique<Iridescence>();
-    }
+    const bool is_anisotropic = is_used(material, &MaterialExtensions::anisotropy);
+    const bool is_iridescent = is_used(material, &MaterialExtensions::iridescence);
+    if (is_anisotropic && !anisotropic_ggx_) anisotropic_ggx_ = std::make_unique<AnisotropicAlbedo>(has_films);
+    if (is_iridescent && !iridescence_) iridescence_ = std::make_unique<Iridescence>();
     const bool refracts =
         material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
     if (!refracts) continue;
@@ -69,7 +76,14 @@ BsdfTables::BsdfTables(const Scene& scene)
     } else if (material.roughness > 0) {
       dielectric_of_material_[m] = table_of(dielectrics_, material.ior);
     }
-    if (is_anisotropic) anisotropic_dielectric_of_material_[m] = table_of(anisotropic_dielectrics_, material.ior);
+    if (is_anisotropic) {
+      anisotropic_dielectric_of_material_[m] =
+          table_of(anisotropic_dielectrics_, material.ior, has_films, *anisotropic_ggx_);
+    }
+    // Also of an anisotropic material: a texture may take the anisotropy away.
+    if (is_iridescent && material.roughness > 0) {
+      filmed_dielectric_of_material_[m] = table_of(filmed_dielectrics_, material.ior);
+    }
   }
 }
 

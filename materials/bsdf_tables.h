@@ -39,10 +39,15 @@ class BsdfTables {
   }
   /// Only if a material of the scene has sheen.
   const SheenAlbedo& sheen() const { return *sheen_; }
-  /// The same for a material that is anisotropic too.
+  /// dielectric() of a material that is anisotropic.
   const AnisotropicDielectricAlbedo* anisotropic_dielectric(std::uint32_t material) const {
     const std::uint32_t table = anisotropic_dielectric_of_material_[material];
     return table == invalid_id ? nullptr : &anisotropic_dielectrics_[table];
+  }
+  /// What to add to it for a material that is iridescent.
+  const FilmedDielectricAlbedo* filmed_dielectric(std::uint32_t material) const {
+    const std::uint32_t table = filmed_dielectric_of_material_[material];
+    return table == invalid_id ? nullptr : &filmed_dielectrics_[table];
   }
   /// Not null if a material is anisotropic.
   const AnisotropicAlbedo* anisotropic_ggx() const { return anisotropic_ggx_.get(); }
@@ -66,6 +71,8 @@ class BsdfTables {
   std::unique_ptr<AnisotropicAlbedo> anisotropic_ggx_;
   std::vector<AnisotropicDielectricAlbedo> anisotropic_dielectrics_;
   std::vector<std::uint32_t> anisotropic_dielectric_of_material_;
+  std::vector<FilmedDielectricAlbedo> filmed_dielectrics_;
+  std::vector<std::uint32_t> filmed_dielectric_of_material_;
   std::unique_ptr<Iridescence> iridescence_;
   std::vector<Vec3> mean_fresnel_of_material_;
 };

@@ -7,6 +7,20 @@
 #include "materials/ggx.h"
 
 namespace candil {
+namespace {
+
+float brightness(float energy) { return energy; }
+float brightness(Vec3 energy) { return luminance(energy); }
+
+/// Sum of `values` with the weights of the nodes.
+template <typename Nodes, typename Values>
+Vec3 weighted_sum(const Nodes& nodes, const Values& values) {
+  Vec3 sum(0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) sum += nodes[i] * values[i];
+  return sum;
+}
+
+}  // namespace
 
 template <typename Facets>
 BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p, const Facets& facets, Vec3 wo)
@@ -23,19 +37,32 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.reflecting_ior));
   is_delta_ = facets_.is_smooth() || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
   if (is_delta_) return;
+  if (refracts()) add_film();
   lost_ = lost_energy(wo, Side::here);
+  mean_lost_here_ = mean_lost_energy(Side::here);
+  mean_lost_beyond_ = mean_lost_energy(Side::beyond);
   if (!refracts()) {
-    mean_lost_here_ = mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.average().total());
-    multiple_transmitted_ = reflects_all_ ? 0 : 1 - luminance(mean_reflectance());
+    multiple_transmitted_ = Energy(reflects_all_ ? 0 : 1 - luminance(mean_reflectance()));
   } else {
-    float kept_here = facets_.dielectric_average(from_inside_);
-    if constexpr (Facets::is_extended) {
-      if (coat_beyond_ > 0) kept_here += coat_beyond_ * facets_.average_by_coat();
-    }
-    mean_lost_here_ = glm::max(1e-6f, 1 - kept_here);
-    mean_lost_beyond_ = glm::max(1e-6f, 1 - facets_.dielectric_average(!from_inside_));
-    const float beyond = mean_lost_beyond_ * sqr(reflecting_eta_);
+    const Energy beyond = mean_lost_beyond_ * sqr(reflecting_eta_);
     multiple_transmitted_ = beyond / (beyond + mean_lost_here_);
+  }
+  broad_probability_ = brightness(lost_);
+  broad_transmission_probability_ = brightness(multiple_transmitted_);
+}
+
+template <typename Facets>
+void BasicDielectricLobes<Facets>::add_film() {
+  if constexpr (Facets::is_extended) {
+    if (!facets_.film) return;
+    for (int i = 0; i < FilmedDielectricAlbedo::node_count; ++i) {
+      const float in_air = FilmedDielectricAlbedo::cosine(i);
+      const float squared = from_inside_ ? 1 - (1 - sqr(in_air)) * sqr(eta_) : sqr(in_air);
+      if (!(squared > 0)) continue;  // total reflection
+      const float cosine = glm::sqrt(squared);
+      film_nodes_[static_cast<std::size_t>(i)] =
+          reflectance_without_coat(cosine) - fresnel_dielectric(cosine, reflecting_eta_);
+    }
   }
 }
 
@@ -100,13 +127,32 @@ float BasicDielectricLobes<Facets>::reflection_probability(Vec3 facet_reflectanc
 }
 
 template <typename Facets>
-float BasicDielectricLobes<Facets>::lost_energy(Vec3 w, Side side) const {
-  float kept = refracts() ? facets_.dielectric_directional(w, from_inside_ == (side == Side::here))
+auto BasicDielectricLobes<Facets>::lost_energy(Vec3 w, Side side) const -> Energy {
+  const bool is_inside = from_inside_ == (side == Side::here);
+  float kept = refracts() ? facets_.dielectric_directional(w, is_inside)
                           : facets_.directional(Vec3(w.x, w.y, std::abs(w.z))).total();
   if constexpr (Facets::is_extended) {
     if (coat_beyond_ > 0 && side == Side::here && refracts()) kept += coat_beyond_ * facets_.directional_by_coat(w);
+    if (facets_.film && refracts()) {
+      const Vec3 more = weighted_sum(facets_.film_directional(w, is_inside), film_nodes_);
+      return glm::clamp(1 - kept + more, 0.0f, 1.0f);
+    }
   }
-  return glm::max(0.0f, 1 - kept);
+  return Energy(glm::max(0.0f, 1 - kept));
+}
+
+/// Over the cosine-weighted hemisphere.
+template <typename Facets>
+auto BasicDielectricLobes<Facets>::mean_lost_energy(Side side) const -> Energy {
+  const bool is_inside = from_inside_ == (side == Side::here);
+  float kept = refracts() ? facets_.dielectric_average(is_inside) : facets_.average().total();
+  if constexpr (Facets::is_extended) {
+    if (coat_beyond_ > 0 && side == Side::here && refracts()) kept += coat_beyond_ * facets_.average_by_coat();
+    if (facets_.film && refracts()) {
+      return glm::max(1 - kept + weighted_sum(facets_.film_average(is_inside), film_nodes_), 1e-6f);
+    }
+  }
+  return Energy(glm::max(1e-6f, 1 - kept));
 }
 
 template <typename Facets>
@@ -141,20 +187,20 @@ BsdfEval BasicDielectricLobes<Facets>::eval_multiple(Vec3 wi) const {
   const float cosine = std::abs(wi.z), cosine_pdf = pdf_cosine_hemisphere(cosine);
   const float pdf = facets_.pdf_multiple(cosine);
   if (wi.z > 0) {
-    const float share = 1 - multiple_transmitted_;
-    const float value = share * lost_ * lost_energy(wi, Side::here) / mean_lost_here_ * cosine_pdf;
-    return {Vec3(value), lost_ * share * pdf};
+    const Energy share = 1.0f - multiple_transmitted_;
+    const Energy value = share * lost_ * lost_energy(wi, Side::here) / mean_lost_here_ * cosine_pdf;
+    return {Vec3(value), broad_probability_ * (1 - broad_transmission_probability_) * pdf};
   }
   const float radiance_scale = is_thin_ ? 1.0f : 1 / sqr(eta_);
-  const float value = multiple_transmitted_ * lost_ * lost_energy(wi, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
-  return {tint_ * (value * radiance_scale), lost_ * multiple_transmitted_ * pdf};
+  const Energy value = multiple_transmitted_ * lost_ * lost_energy(wi, Side::beyond) / mean_lost_beyond_ * cosine_pdf;
+  return {tint_ * (value * radiance_scale), broad_probability_ * broad_transmission_probability_ * pdf};
 }
 
 template <typename Facets>
 BsdfEval BasicDielectricLobes<Facets>::eval(Vec3 wo, Vec3 wi) const {
   if (is_delta_ || wo.z <= 0 || wi.z == 0) return {};
   const BsdfEval facets = eval_facets(wo, wi), multiple = eval_multiple(wi);
-  return {facets.f_cos + multiple.f_cos, (1 - lost_) * facets.pdf + multiple.pdf};
+  return {facets.f_cos + multiple.f_cos, (1 - broad_probability_) * facets.pdf + multiple.pdf};
 }
 
 template <typename Facets>
@@ -182,11 +228,11 @@ std::optional<BsdfSample> BasicDielectricLobes<Facets>::sample(Vec3 wo, float u_
   if (wo.z <= 0) return std::nullopt;
   if (is_delta_) return sample_delta(wo, u_lobe);
   BsdfSample result;
-  if (u_lobe < lost_) {
+  if (u_lobe < broad_probability_) {
     result.wi = facets_.sample_multiple(u_direction);
-    if (u_lobe < lost_ * multiple_transmitted_) result.wi.z = -result.wi.z;
+    if (u_lobe < broad_probability_ * broad_transmission_probability_) result.wi.z = -result.wi.z;
   } else {
-    const float u = glm::min((u_lobe - lost_) / (1 - lost_), one_minus_epsilon);
+    const float u = glm::min((u_lobe - broad_probability_) / (1 - broad_probability_), one_minus_epsilon);
     const Vec3 h = sample_ggx_visible(wo, facets_.alpha, u_direction);
     const float cosine = glm::dot(wo, h);
     if (cosine <= 0) return std::nullopt;

@@ -6,13 +6,16 @@
 /// KHR_materials_specular reshapes the reflectance between its f0 and f90; without it the exact curve stands. Energy
 /// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
 /// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, for each wavelength and with a coat
-/// beyond it, but not for KHR_materials_specular: such a rough volume may be off by up to 6 %. Seen from inside, a
+/// beyond it, and of what a thin film changes (FilmedDielectricAlbedo), but not of KHR_materials_specular: such a rough
+/// volume may be off by up to 6 %. Seen from inside, a
 /// clear coat lies beyond the interface, and each facet gets Fresnel's reflectance of both, as if the coat were smooth
 /// and parallel to the facet: what a coat does not let in by one way it does not let out by the same. Local frame: z is
 /// the shading normal, wo.z > 0; wi.z < 0 is transmission.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <type_traits>
 
 #include "materials/bsdf_sample.h"
 #include "materials/facets.h"
@@ -48,6 +51,8 @@ class BasicDielectricLobes {
 
  private:
   enum class Side { here, beyond };
+  /// That is lost between facets: under a film it has colours.
+  using Energy = std::conditional_t<Facets::is_extended, Vec3, float>;
 
   /// Of a facet, with what a coat beyond it sends back.
   Vec3 reflectance(float cosine) const;
@@ -59,7 +64,9 @@ class BasicDielectricLobes {
   Vec3 mean_reflectance() const;
   /// Probability of following the reflected ray at a facet, given its reflectance.
   float reflection_probability(Vec3 facet_reflectance) const;
-  float lost_energy(Vec3 w, Side side) const;
+  Energy lost_energy(Vec3 w, Side side) const;
+  Energy mean_lost_energy(Side side) const;
+  void add_film();
   BsdfEval eval_facets(Vec3 wo, Vec3 wi) const;
   BsdfEval eval_multiple(Vec3 wi) const;
   std::optional<BsdfSample> sample_delta(Vec3 wo, float u_lobe) const;
@@ -71,9 +78,14 @@ class BasicDielectricLobes {
   bool has_exact_fresnel_ = true, reflects_all_ = false;
   Vec3 tint_{1.0f}, f0_{0.04f}, f90_{1.0f};
   float coat_beyond_ = 0;
-  float lost_ = 0;  // energy towards wo that single scattering loses; also the probability of the broad lobes
-  float mean_lost_here_ = 1, mean_lost_beyond_ = 1;
-  float multiple_transmitted_ = 0;  // share of the lost energy that goes beyond
+  Energy lost_{0.0f};  // energy towards wo that single scattering loses
+  Energy mean_lost_here_{1.0f}, mean_lost_beyond_{1.0f};
+  Energy multiple_transmitted_{0.0f};                                 // share of the lost energy that goes beyond
+  float broad_probability_ = 0, broad_transmission_probability_ = 0;  // of its lobes; beyond given that
+  struct NoFilm {};
+  using FilmNodes =
+      std::conditional_t<Facets::is_extended, std::array<Vec3, FilmedDielectricAlbedo::node_count>, NoFilm>;
+  [[no_unique_address]] FilmNodes film_nodes_{};  // what it adds to the reflectance; nothing without one
 };
 
 using DielectricLobes = BasicDielectricLobes<PlainFacets>;

@@ -57,6 +57,7 @@ ExtendedFacets extended_facets(const BsdfTables& tables, std::uint32_t material,
   } else {
     facets.alpha = Vec2(sqr(roughness));
     facets.roughness = roughness;
+    if (film) facets.filmed_dielectric = tables.filmed_dielectric(material);
   }
   return facets;
 }

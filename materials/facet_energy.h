@@ -14,6 +14,14 @@ float reflected_share(Vec3 wo, Vec3 h, Alpha alpha) {
   return wi.z > 0 ? ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha) : 0.0f;
 }
 
+/// The same of what it refracts, as if it let everything through; not under total internal reflection. `eta`: index
+/// beyond it over the one before it.
+template <typename Alpha>
+float refracted_share(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
+  const Vec3 wi = refract(wo, h, eta);
+  return wi.z < 0 ? ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha) : 0.0f;
+}
+
 /// A smooth dielectric facet; eta is the index beyond it over the one before it. Reflectance may follow from another.
 template <typename Alpha>
 float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta, float reflecting_eta) {

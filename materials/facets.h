@@ -48,8 +48,9 @@ struct ExtendedFacets {
   const GradedDielectricAlbedo* dielectric = nullptr;  ///< Null where nothing is refracted by rough facets.
   const AnisotropicAlbedo* anisotropic_ggx = nullptr;  ///< Null: isotropic.
   const AnisotropicDielectricAlbedo* anisotropic_dielectric = nullptr;
-  const FacetAngles* angles = nullptr;  ///< Not null if there is a film.
-  float roughness = 1;                  ///< Perceptual; of an anisotropic interface its geometric mean.
+  const FacetAngles* angles = nullptr;                        ///< Not null if there is a film.
+  const FilmedDielectricAlbedo* filmed_dielectric = nullptr;  ///< The same where something is refracted.
+  float roughness = 1;  ///< Perceptual; of an anisotropic interface its geometric mean.
   Vec2 alpha{1.0f};
   float ior = 1.5f;  ///< Of the medium behind the front side.
   ThinFilm film;
@@ -57,12 +58,10 @@ struct ExtendedFacets {
   bool is_smooth() const { return alpha.x < ggx_min_alpha; }
   void make_smooth() { roughness = 0, anisotropic_ggx = nullptr; }
   GgxAlbedo::Split directional(Vec3 w) const {
-    if (!anisotropic_ggx) return ggx->directional(roughness, glm::abs(w.z));
-    return of_total(ggx->directional(projected_roughness(w), glm::abs(w.z)), anisotropic_ggx->directional(alpha, w));
+    return anisotropic_ggx ? anisotropic_ggx->directional(alpha, w) : ggx->directional(roughness, glm::abs(w.z));
   }
   GgxAlbedo::Split average() const {
-    if (!anisotropic_ggx) return ggx->average(roughness);
-    return of_total(ggx->average(projected_roughness(Vec3(1, 1, 0))), anisotropic_ggx->average(alpha));
+    return anisotropic_ggx ? anisotropic_ggx->average(alpha) : ggx->average(roughness);
   }
   float dielectric_directional(Vec3 w, bool from_inside) const {
     return anisotropic_dielectric ? anisotropic_dielectric->directional(alpha, w, from_inside)
@@ -94,9 +93,22 @@ struct ExtendedFacets {
     const float logarithmic = 1 / (2 * pi * (cosine + smallest) * std::log1p(1 / smallest));
     return glm::mix(logarithmic, pdf_cosine_hemisphere(cosine), roughness);
   }
-  /// Shares of light that is reflected near the nodes of FacetAngles; `single` is directional(), `mean` average().
-  FacetAngles::Nodes directional_nodes(Vec3 w, GgxAlbedo::Split single) const;
-  FacetAngles::Nodes average_nodes(GgxAlbedo::Split mean) const;
+  /// Shares of light that is reflected near the nodes of FacetAngles.
+  FacetAngles::Nodes directional_nodes(Vec3 w) const {
+    return anisotropic_ggx ? anisotropic_ggx->directional_nodes(alpha, w) : angles->directional(roughness, w.z);
+  }
+  FacetAngles::Nodes average_nodes() const {
+    return anisotropic_ggx ? anisotropic_ggx->average_nodes(alpha) : angles->average(roughness);
+  }
+  /// What dielectric_directional() lacks by the film.
+  FilmedDielectricAlbedo::Nodes film_directional(Vec3 w, bool from_inside) const {
+    return anisotropic_dielectric ? anisotropic_dielectric->directional_nodes(alpha, w, from_inside)
+                                  : filmed_dielectric->directional(roughness, glm::abs(w.z), from_inside);
+  }
+  FilmedDielectricAlbedo::Nodes film_average(bool from_inside) const {
+    return anisotropic_dielectric ? anisotropic_dielectric->average_nodes(alpha, from_inside)
+                                  : filmed_dielectric->average(roughness, from_inside);
+  }
 
  private:
   /// Facets lose about the same for all that are smaller.
@@ -105,11 +117,6 @@ struct ExtendedFacets {
   float projected_roughness(Vec3 w) const {
     const float sin2 = sqr(w.x) + sqr(w.y);
     return sin2 > 0 ? glm::pow((sqr(alpha.x * w.x) + sqr(alpha.y * w.y)) / sin2, 0.25f) : roughness;
-  }
-  /// The angles at which facets are met, and so Fresnel's term, are those of isotropic ones of the projected roughness.
-  static GgxAlbedo::Split of_total(GgxAlbedo::Split isotropic, float total) {
-    const float factor = total / glm::max(isotropic.total(), 1e-6f);
-    return {isotropic.scale * factor, isotropic.bias * factor};
   }
 };
 

@@ -129,4 +129,57 @@ float DielectricAlbedo::average(float roughness, bool from_inside) const {
   return glm::mix(averages_[from_inside][r.index], averages_[from_inside][r.index + 1], r.fraction);
 }
 
+template <typename Alpha>
+FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta,
+                                                               bool from_inside) {
+  Nodes nodes{};
+  const float cosine = glm::dot(wo, h), beyond2 = 1 - (1 - sqr(cosine)) / sqr(eta);
+  if (!(cosine > 0 && beyond2 > 0)) return nodes;  // total reflection, whatever the film
+  const float less_kept = refracted_share(wo, h, alpha, eta) - reflected_share(wo, h, alpha);
+  const float position = (from_inside ? glm::sqrt(beyond2) : cosine) * node_count - 1;
+  for (int node = 0; node < node_count; ++node) {
+    nodes[node] = less_kept * glm::max(0.0f, 1 - glm::abs(position - static_cast<float>(node)));
+  }
+  return nodes;
+}
+template FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3, Vec3, Vec2, float, bool);
+
+FilmedDielectricAlbedo::FilmedDielectricAlbedo(float ior) : ior_(ior) {
+  for (const bool inside : {false, true}) {
+    for_each_cell([&](int r, int c, float roughness, float cosine) {
+      using Sums = glm::mat2x4;  // eight numbers that can be added up
+      static_assert(node_count == 8);
+      const Sums sums = integrate(roughness, cosine, [&](Vec3 wo, Vec3 h, float alpha) {
+        const Nodes nodes = of_facet(wo, h, alpha, inside ? 1 / ior : ior, inside);
+        Sums all;
+        for (int node = 0; node < node_count; ++node) all[node / 4][node % 4] = nodes[node];
+        return all;
+      });
+      for (int node = 0; node < node_count; ++node) sides_[inside][node].values[r][c] = sums[node / 4][node % 4];
+    });
+    for (int node = 0; node < node_count; ++node) {
+      for (int r = 0; r < roughness_count; ++r) {
+        averages_[inside][node][r] = cosine_weighted_mean(sides_[inside][node].values[r]);
+      }
+    }
+  }
+}
+
+FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::directional(float roughness, float cosine,
+                                                                  bool from_inside) const {
+  Nodes nodes;
+  for (int node = 0; node < node_count; ++node) nodes[node] = sides_[from_inside][node].lookup(roughness, cosine);
+  return nodes;
+}
+
+FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::average(float roughness, bool from_inside) const {
+  const GridPosition r(roughness, roughness_count);
+  Nodes nodes;
+  for (int node = 0; node < node_count; ++node) {
+    const auto& averages = averages_[from_inside][node];
+    nodes[node] = glm::mix(averages[r.index], averages[r.index + 1], r.fraction);
+  }
+  return nodes;
+}
+
 }  // namespace candil

@@ -86,4 +86,31 @@ class DielectricAlbedo {
   std::array<std::array<float, AlbedoGrid::roughness_count>, 2> averages_;
 };
 
+/// What DielectricAlbedo changes by where facets have another reflectance than Fresnel's. The difference is
+/// interpolated linearly between nodes, cosines in air from 0, where it is 0, to 1; both sides of a facet have the same
+/// reflectance at angles that refraction makes correspond. This tells how much less energy returns by a greater
+/// reflectance near each node: facets hide what they reflect and what they refract from each other in different
+/// measure.
+class FilmedDielectricAlbedo {
+ public:
+  static constexpr int node_count = 8;
+  using Nodes = std::array<float, node_count>;
+  static float cosine(int node) { return static_cast<float>(node + 1) / node_count; }
+  /// Of a facet h that is visible from wo. `eta`: index beyond it over the one before it.
+  template <typename Alpha>
+  static Nodes of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta, bool from_inside);
+
+  explicit FilmedDielectricAlbedo(float ior);
+
+  Nodes directional(float roughness, float cosine, bool from_inside) const;
+  /// Its mean over the cosine-weighted hemisphere.
+  Nodes average(float roughness, bool from_inside) const;
+  float ior() const { return ior_; }
+
+ private:
+  float ior_;
+  std::array<std::array<AlbedoGrid, node_count>, 2> sides_;
+  std::array<std::array<std::array<float, AlbedoGrid::roughness_count>, node_count>, 2> averages_;
+};
+
 }  // namespace candil

@@ -38,9 +38,8 @@ BasicOpaqueLobes<Facets>::BasicOpaqueLobes(const OpaqueParameters& p, const Face
   float mean_coat = coat_f0_ * mean.scale + coat_f90_ * mean.bias;
   if constexpr (Facets::is_extended) {
     if (film_) {
-      specular =
-          is_delta_ ? film_->reflectance(wo.z) : specular + film_curve.deviation(facets_.directional_nodes(wo, single));
-      mean_coat = is_delta_ ? film_coat_.mean() : mean_coat + film_coat_.deviation(facets_.average_nodes(mean));
+      specular = is_delta_ ? film_->reflectance(wo.z) : specular + film_curve.deviation(facets_.directional_nodes(wo));
+      mean_coat = is_delta_ ? film_coat_.mean() : mean_coat + film_coat_.deviation(facets_.average_nodes());
     }
   }
   if (!is_delta_) {
@@ -96,7 +95,7 @@ float BasicOpaqueLobes<Facets>::coat_albedo(Vec3 w, const GgxAlbedo::Split& sing
   const float schlick = coat_f0_ * single.scale + coat_f90_ * single.bias;
   if constexpr (Facets::is_extended) {
     if (film_ && is_delta_) return film_->greatest_of_coat(w.z);
-    if (film_) return schlick + film_coat_.deviation(facets_.directional_nodes(w, single));
+    if (film_) return schlick + film_coat_.deviation(facets_.directional_nodes(w));
   }
   return schlick;
 }

@@ -209,9 +209,12 @@ std::vector<NamedMaterial> plain_materials(float r) {
       {"filmed_gold",
        filmed(with(metal(r), [](Material& m) { m.base_color = Vec4(1.0f, 0.77f, 0.34f, 1); }), 1.3f, 400)},
       {"filmed_half_metal", filmed(with(white(r), [](Material& m) { m.metallic = 0.5f; }), 2.2f, 200)},
-      {"filmed_glass", filmed(glass(r, 1.5f), 1.3f, 500)},
+      {"filmed_glass", filmed(glass(r, 1.5f), 1.3f, 500), true},
+      {"strongly_filmed_glass", filmed(glass(r, 1.5f), 2.2f, 150), true},
+      {"filmed_bubble", filmed(glass(r, 1 / 1.5f), 1.3f, 500), true},
       {"soap_sheet", filmed(with(sheet(r), [](Material& m) { m.ior = 1; }), 1.33f, 300), true},
       {"brushed_filmed_plastic", brushed(filmed(white(r), 1.33f, 600))},
+      {"brushed_filmed_glass", brushed(filmed(glass(r, 1.5f), 1.8f, 300)), true},
   };
 }
 
