@@ -68,7 +68,7 @@ auto mean_over_facets(Vec3 wo, Vec2 alpha, const Value& value) {
 /// lie in the plane of x and z: the directions' coordinates are the angle with this plane, and the angle in it. Both
 /// are dense towards grazing directions. Where light would be totally reflected by all such facets, or by none, the
 /// table has a line of points.
-template <int count>
+template <int count, int roughness_count = 10, int strength_count = 8>
 class AnisotropicGrid {
  public:
   using Values = std::array<float, count>;
@@ -114,7 +114,7 @@ class AnisotropicGrid {
   static constexpr int elevation_count = 16, angle_count = 14, cell_count = elevation_count * angle_count;
   static constexpr float share_below = 0.6f;  // of coordinates, of elevations below the critical one
   static constexpr float right_angle = 0.5f * pi;
-  using Rows = AnisotropicRows<10, 8>;
+  using Rows = AnisotropicRows<roughness_count, strength_count>;
 
   static float angle_coordinate(float angle) { return 1 - glm::sqrt(glm::max(0.0f, 1 - angle / right_angle)); }
   float elevation_coordinate(float elevation) const {

@@ -34,6 +34,15 @@ Vec2 anisotropic_alpha(float roughness, float strength) {
   return glm::max(Vec2(glm::mix(alpha, 1.0f, sqr(strength)), alpha), Vec2(ggx_min_alpha));
 }
 
+const AnisotropicAlbedo& AnisotropicAlbedo::shared(bool has_films) {
+  if (has_films) {
+    static const AnisotropicAlbedo with_films(true);
+    return with_films;
+  }
+  static const AnisotropicAlbedo without_films(false);
+  return without_films;
+}
+
 AnisotropicAlbedo::AnisotropicAlbedo(bool has_films) {
   fill_totals();
   bias_.fill([](Vec3 wo, Vec2 alpha) -> std::array<float, 1> {
@@ -134,7 +143,7 @@ AnisotropicDielectricAlbedo::Side::Side(float eta, bool is_inside, bool has_film
   });
   mean_lost.fill([&](Vec2 alpha, Vec3 w) { return std::array{lost(alpha, w, reflecting)}; });
   if (!has_films) return;
-  nodes = std::make_unique<Nodes>(Nodes{AnisotropicGrid<FilmedDielectricAlbedo::node_count>(eta), {}});
+  nodes = std::make_unique<Nodes>(Nodes{AnisotropicGrid<FilmedDielectricAlbedo::node_count, 6, 6>(eta), {}});
   nodes->directional.fill([&](Vec3 wo, Vec2 alpha) {
     return mean_over_facets<256>(
         wo, alpha, [&](Vec3 h) { return FilmedDielectricAlbedo::of_facet(wo, h, alpha, eta, is_inside); });

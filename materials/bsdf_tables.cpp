@@ -66,7 +66,7 @@ BsdfTables::BsdfTables(const Scene& scene)
     if (is_extended) graded_ggx_ = &GradedGgxAlbedo::shared();
     const bool is_anisotropic = is_used(material, &MaterialExtensions::anisotropy);
     const bool is_iridescent = is_used(material, &MaterialExtensions::iridescence);
-    if (is_anisotropic && !anisotropic_ggx_) anisotropic_ggx_ = std::make_unique<AnisotropicAlbedo>(has_films);
+    if (is_anisotropic) anisotropic_ggx_ = &AnisotropicAlbedo::shared(has_films);
     if (is_iridescent && !iridescence_) iridescence_ = std::make_unique<Iridescence>();
     const bool refracts =
         material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);

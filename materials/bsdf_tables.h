@@ -50,7 +50,7 @@ class BsdfTables {
     return table == invalid_id ? nullptr : &filmed_dielectrics_[table];
   }
   /// Not null if a material is anisotropic.
-  const AnisotropicAlbedo* anisotropic_ggx() const { return anisotropic_ggx_.get(); }
+  const AnisotropicAlbedo* anisotropic_ggx() const { return anisotropic_ggx_; }
   /// What only iridescent materials need; not null if there is one.
   struct Iridescence {
     FilmSensitivity sensitivity;
@@ -68,7 +68,7 @@ class BsdfTables {
   const GradedGgxAlbedo* graded_ggx_ = nullptr;
   std::vector<GradedDielectricAlbedo> graded_dielectrics_;
   std::vector<std::uint32_t> graded_dielectric_of_material_;
-  std::unique_ptr<AnisotropicAlbedo> anisotropic_ggx_;
+  const AnisotropicAlbedo* anisotropic_ggx_ = nullptr;
   std::vector<AnisotropicDielectricAlbedo> anisotropic_dielectrics_;
   std::vector<std::uint32_t> anisotropic_dielectric_of_material_;
   std::vector<FilmedDielectricAlbedo> filmed_dielectrics_;
