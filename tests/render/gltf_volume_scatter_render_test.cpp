@@ -71,7 +71,7 @@ TEST(GltfVolumeScatter, WhiteScatterersInGlassAreAFurnace) {
       material.extensions->clearcoat = coat;
       const Stage stage = cube_in_white_light(material);
       for (const Integrator integrator : {trace_path, trace_naive}) {
-        const Estimate e = estimate_radiance(stage, integrator, down, 4096);
+        const Estimate e = estimate_radiance(stage, integrator, down, 16384);
         EXPECT_GT(e.mean.x, 0.99f - 6 * e.standard_error.x) << roughness << " coat " << coat;
         EXPECT_LT(e.mean.x, 1.005f + 6 * e.standard_error.x) << roughness << " coat " << coat;
         EXPECT_LT(e.standard_error.x, 0.01f);
