@@ -1,8 +1,6 @@
 /// Tables over the two roughnesses of an anisotropic interface and the direction, for anisotropy.h.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <cmath>
 #include <vector>
@@ -10,6 +8,7 @@
 #include "core/sampler.h"
 #include "materials/ggx.h"
 #include "materials/grid_position.h"
+#include "materials/table_rows.h"
 
 namespace candil {
 
@@ -80,7 +79,7 @@ class AnisotropicGrid {
   template <typename Function>
   void fill(const Function& values) {
     values_.resize(static_cast<std::size_t>(Rows::count) * cell_count);
-    tbb::parallel_for(0, Rows::count, [&](int row) {
+    for_each_row(Rows::count, [&](int row) {
       const Vec2 roughness = Rows::roughness(row), alpha = roughness * roughness;
       Values* out = values_.data() + static_cast<std::size_t>(row) * cell_count;
       for (int e = 0; e < elevation_count; ++e) {
@@ -152,7 +151,7 @@ class AnisotropicMeans {
   void fill(const Function& values) {
     constexpr int azimuths = 16, cosines = 48;
     means_.resize(Rows::count);
-    tbb::parallel_for(0, Rows::count, [&](int row) {
+    for_each_row(Rows::count, [&](int row) {
       const Vec2 roughness = Rows::roughness(row);
       Values sum{};
       for (int i = 0; i < azimuths * cosines; ++i) {

@@ -1,6 +1,7 @@
 #include "materials/anisotropy.h"
 
 #include "materials/facet_energy.h"
+#include "materials/table_rows.h"
 
 namespace candil {
 namespace {
@@ -76,7 +77,7 @@ AnisotropicAlbedo::AnisotropicAlbedo(bool has_films) {
 
 void AnisotropicAlbedo::fill_totals() {
   totals_.resize(static_cast<std::size_t>(Rows::count) * cell_count);
-  tbb::parallel_for(0, Rows::count, [&](int row) {
+  for_each_row(Rows::count, [&](int row) {
     const Vec2 roughness = Rows::roughness(row), alpha = roughness * roughness;
     float* out = totals_.data() + static_cast<std::size_t>(row) * cell_count;
     for (int a = 0; a < azimuth_count; ++a) {

@@ -61,7 +61,7 @@ class BsdfTables {
   Vec3 mean_fresnel(std::uint32_t material) const { return mean_fresnel_of_material_[material]; }
 
  private:
-  GgxAlbedo ggx_;
+  const GgxAlbedo& ggx_ = GgxAlbedo::shared();
   std::optional<SheenAlbedo> sheen_;
   std::vector<DielectricAlbedo> dielectrics_;
   std::vector<std::uint32_t> dielectric_of_material_;

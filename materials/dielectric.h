@@ -7,10 +7,9 @@
 /// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
 /// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, for each wavelength and with a coat
 /// beyond it, and of what a thin film changes (FilmedDielectricAlbedo), but not of KHR_materials_specular: such a rough
-/// volume may be off by up to 6 %. Seen from inside, a
-/// clear coat lies beyond the interface, and each facet gets Fresnel's reflectance of both, as if the coat were smooth
-/// and parallel to the facet: what a coat does not let in by one way it does not let out by the same. Local frame: z is
-/// the shading normal, wo.z > 0; wi.z < 0 is transmission.
+/// volume may be off by up to 6 %. Seen from inside, a clear coat lies beyond the interface, and each facet gets
+/// Fresnel's reflectance of both, as if the coat were smooth and parallel to the facet: what a coat does not let in by
+/// one way it does not let out by the same. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is transmission.
 #pragma once
 
 #include <array>

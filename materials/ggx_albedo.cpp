@@ -1,10 +1,9 @@
 #include "materials/ggx_albedo.h"
 
-#include <tbb/parallel_for.h>
-
 #include "core/sampler.h"
 #include "materials/facet_energy.h"
 #include "materials/grid_position.h"
+#include "materials/table_rows.h"
 
 namespace candil {
 namespace {
@@ -43,7 +42,7 @@ float cosine_weighted_mean(const std::array<float, cosine_count>& row) {
 
 template <typename Function>
 void for_each_cell(const Function& function) {
-  tbb::parallel_for(0, roughness_count, [&](int r) {
+  for_each_row(roughness_count, [&](int r) {
     for (int c = 0; c < cosine_count; ++c) {
       function(r, c, grid_coordinate(r, roughness_count), grid_coordinate(c, cosine_count));
     }
@@ -56,6 +55,11 @@ float AlbedoGrid::lookup(float roughness, float cosine) const {
   const GridPosition r(roughness, roughness_count), c(cosine, cosine_count);
   const auto row = [&](int index) { return glm::mix(values[index][c.index], values[index][c.index + 1], c.fraction); };
   return glm::mix(row(r.index), row(r.index + 1), r.fraction);
+}
+
+const GgxAlbedo& GgxAlbedo::shared() {
+  static const GgxAlbedo table;
+  return table;
 }
 
 GgxAlbedo::GgxAlbedo() {

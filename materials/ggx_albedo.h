@@ -22,6 +22,8 @@ struct AlbedoGrid {
 class GgxAlbedo {
  public:
   GgxAlbedo();
+  /// Made when it is first asked for: it depends on no scene.
+  static const GgxAlbedo& shared();
 
   struct Split {
     float scale, bias;

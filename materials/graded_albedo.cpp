@@ -1,11 +1,10 @@
 #include "materials/graded_albedo.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 
 #include "materials/clearcoat.h"
 #include "materials/facet_energy.h"
+#include "materials/table_rows.h"
 
 namespace candil {
 namespace {
@@ -60,7 +59,7 @@ template <typename Value>
 template <typename Function>
 void GradedGrid<Value>::fill(const Function& value) {
   const auto coordinate = [](int i, int count) { return sqr(grid_coordinate(i, count)); };
-  tbb::parallel_for(0, roughness_count, [&](int r) {
+  for_each_row(roughness_count, [&](int r) {
     const float alpha = glm::max(sqr(coordinate(r, roughness_count)), ggx_min_alpha);
     for (int c = 0; c < cosine_count; ++c) {
       const float cosine = glm::max(coordinate(c, cosine_count), 1e-4f);  // the limit of grazing incidence

@@ -1,8 +1,8 @@
 #include "materials/sheen_albedo.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
+
+#include "materials/table_rows.h"
 
 namespace candil {
 namespace {
@@ -78,7 +78,7 @@ float Charlie::lambda(float cosine, float alpha) {
 }
 
 SheenAlbedo::SheenAlbedo() {
-  tbb::parallel_for(0, roughness_count, [&](int r) {
+  for_each_row(roughness_count, [&](int r) {
     const float alpha = sqr(roughness_axis(roughness_count).value(r));
     const std::array<Node, nodes> nodes_i = make_nodes(alpha);
     for (int c = 0; c < cosine_count; ++c) {

@@ -12,25 +12,11 @@
 namespace candil::test {
 namespace {
 
-LoadOptions at(double seconds, const std::string& animation = "") {
-  LoadOptions options;
-  options.animation = animation;
-  options.at = seconds;
-  return options;
-}
-
-/// A triangle under node 0, to be moved.
-AnimatedSample triangle() {
-  AnimatedSample sample;
-  sample.add_triangle();
-  return sample;
-}
-
 void expect_near(Vec3 a, Vec3 b) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[axis], b[axis], 1e-5f) << axis;
 }
 
-std::string error_at(const std::string& text, const LoadOptions& options = at(0.5)) {
+std::string error_at(const std::string& text, const LoadOptions& options = options_at(0.5)) {
   try {
     load_text(text, options);
   } catch (const InputError& error) {
@@ -42,13 +28,15 @@ std::string error_at(const std::string& text, const LoadOptions& options = at(0.
 
 // Corner 1 is at (1, 0, 0). At 1/2 s: scaled by 2, a quarter turn about Z half done, moved to (5, 0, 0).
 TEST(GltfAnimation, MovesNodes) {
-  AnimatedSample sample = triangle();
+  AnimatedSample sample = movable_triangle();
   const float h = std::sqrt(0.5f);
   sample.move_node(0, "translation", "VEC3", {0, 1}, {0, 0, 0, 10, 0, 0});
   sample.move_node(0, "rotation", "VEC4", {0, 1}, {0, 0, 0, 1, 0, 0, h, h});
   sample.move_node(0, "scale", "VEC3", {0, 1}, {1, 1, 1, 3, 3, 3});
   const std::string text = sample.animated_json();
-  const auto corner = [&](double seconds) { return load_text(text, at(seconds)).scene.meshes.at(0).positions.at(1); };
+  const auto corner = [&](double seconds) {
+    return load_text(text, options_at(seconds)).scene.meshes.at(0).positions.at(1);
+  };
   expect_near(corner(0), {1, 0, 0});
   expect_near(corner(0.5), {5 + 2 * h, 2 * h, 0});
   expect_near(corner(1), {10, 3, 0});
@@ -57,11 +45,11 @@ TEST(GltfAnimation, MovesNodes) {
 }
 
 TEST(GltfAnimation, MovedMatricesAreTakenApart) {
-  AnimatedSample sample = triangle();
+  AnimatedSample sample = movable_triangle();
   // Scale (2, 3, 4), a quarter turn about Z, translation (5, 6, 7).
   sample.nodes = {R"({"mesh":0,"matrix":[0,2,0,0, -3,0,0,0, 0,0,4,0, 5,6,7,1]})"};
   sample.move_node(0, "translation", "VEC3", {0, 1}, {0, 0, 0, 2, 2, 2});
-  const std::vector<Vec3> p = load_text(sample.animated_json(), at(1)).scene.meshes.at(0).positions;
+  const std::vector<Vec3> p = load_text(sample.animated_json(), options_at(1)).scene.meshes.at(0).positions;
   expect_near(p[0], {2, 2, 2});
   expect_near(p[1], {2, 4, 2});
   expect_near(p[2], {-1, 2, 2});
@@ -76,9 +64,9 @@ TEST(GltfAnimation, MovesWeightsOfMorphTargets) {
   AnimatedSample whole = sample, single = sample;
   // Two weights for each key: (0, 1), then (1, 0).
   whole.move_node(0, "weights", "SCALAR", {0, 1}, {0, 1, 1, 0});
-  expect_near(load_text(whole.animated_json(), at(0.25)).scene.meshes.at(0).positions[0], {0, 3, 2});
+  expect_near(load_text(whole.animated_json(), options_at(0.25)).scene.meshes.at(0).positions[0], {0, 3, 2});
   single.move("/nodes/0/weights/1", "SCALAR", {0, 1}, {0, 1});
-  expect_near(load_text(single.animated_json(), at(0.25)).scene.meshes.at(0).positions[0], {0, 1, 0});
+  expect_near(load_text(single.animated_json(), options_at(0.25)).scene.meshes.at(0).positions[0], {0, 1, 0});
 }
 
 /// What a pointer moves at 1/4 s between two values, seen in the scene.
@@ -192,7 +180,7 @@ TEST_P(GltfAnimationPointer, MovesWhatItNames) {
   sample.cameras = {R"({"type":"perspective","perspective":{"yfov":1,"znear":1}})"};
   sample.root = R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{"innerConeAngle":0.1}}]}})";
   sample.move(each.pointer, each.type, {0, 1}, each.values);
-  const LoadedScene loaded = load_text(sample.animated_json(), at(0.25));
+  const LoadedScene loaded = load_text(sample.animated_json(), options_at(0.25));
   EXPECT_NEAR(each.look(loaded.scene), each.expected, 1e-5f);
 }
 
@@ -208,23 +196,23 @@ TEST(GltfAnimation, MovesTextureTransforms) {
   sample.move("/materials/0/emissiveTexture/extensions/KHR_texture_transform/offset", "VEC2", {0, 1}, {0, 0, 4, 8});
   GltfSample still = sample;
   still.materials = {R"({"emissiveTexture":{"index":0,"extensions":{"KHR_texture_transform":{"offset":[1,2]}}}})"};
-  const Scene moved = load_text(sample.animated_json(), at(0.25)).scene, expected = load_sample(still).scene;
+  const Scene moved = load_text(sample.animated_json(), options_at(0.25)).scene, expected = load_sample(still).scene;
   const auto look_up = [](const Scene& scene) {
     const TextureSlot& slot = material(scene).emission_texture;
     return std::pair(slot.row_u, slot.row_v);
   };
   EXPECT_EQ(look_up(moved), look_up(expected));
-  EXPECT_NE(look_up(load_text(sample.animated_json(), at(0)).scene), look_up(expected));
+  EXPECT_NE(look_up(load_text(sample.animated_json(), options_at(0)).scene), look_up(expected));
 }
 
 TEST(GltfAnimation, MovesVisibilityByByteSteps) {
-  AnimatedSample sample = triangle();
+  AnimatedSample sample = movable_triangle();
   sample.nodes = {R"({"mesh":0,"extensions":{"KHR_node_visibility":{"visible":true}}})"};
   sample.move("/nodes/0/extensions/KHR_node_visibility/visible", "SCALAR", {0, 1, 2}, {1, 0, 1}, "STEP");
   const int bytes = sample.add_accessor<std::uint8_t>(gl_unsigned_byte, "SCALAR", 3, {1, 0, 7});
   sample.animation_samplers[0] = "{\"input\":1,\"interpolation\":\"STEP\",\"output\":" + std::to_string(bytes) + "}";
   for (const auto& [seconds, count] : {std::pair(0.5, 1u), std::pair(1.5, 0u), std::pair(2.0, 1u)}) {
-    EXPECT_EQ(load_text(sample.animated_json(), at(seconds)).scene.instances.size(), count) << seconds;
+    EXPECT_EQ(load_text(sample.animated_json(), options_at(seconds)).scene.instances.size(), count) << seconds;
   }
 }
 
@@ -233,16 +221,16 @@ TEST(GltfAnimation, PointersToNothingAreLeftOutWithAWarning) {
                               "/nodes/00/scale", "/nodes", "/nodes/0/translation/0", "/nodes/0/extras/size",
                               "/nodes/0/weights", "/nodes/0/weights/0", "/accessors/0/max", "/meshes/0/weights", "",
                               "nodes/0/scale", "/nodes/0/extensions/KHR_node_visibility/visible", "/nodes/-1/scale"}) {
-    AnimatedSample sample = triangle();
+    AnimatedSample sample = movable_triangle();
     sample.move(pointer, "VEC3", {0, 1}, {0, 0, 0, 1, 1, 1});
-    const LoadedScene loaded = load_text(sample.animated_json(), at(1));
+    const LoadedScene loaded = load_text(sample.animated_json(), options_at(1));
     ASSERT_EQ(loaded.warnings.size(), 1u) << pointer;
     EXPECT_NE(loaded.warnings[0].find("nothing that can be moved"), std::string::npos) << loaded.warnings[0];
   }
 }
 
 TEST(GltfAnimation, IsChosenByIndexNameOrAll) {
-  AnimatedSample right = triangle(), up = triangle();
+  AnimatedSample right = movable_triangle(), up = movable_triangle();
   right.move_node(0, "translation", "VEC3", {0, 2}, {0, 0, 0, 4, 0, 0});
   up = right;
   up.channels.clear(), up.animation_samplers.clear();
@@ -252,18 +240,19 @@ TEST(GltfAnimation, IsChosenByIndexNameOrAll) {
   const auto corner = [&](const LoadOptions& options) {
     return load_text(text, options).scene.meshes.at(0).positions.at(1);
   };
-  expect_near(corner(at(1)), {3, 0, 0});
-  expect_near(corner(at(1, "1")), {3, 0, 0});
-  expect_near(corner(at(1, "up")), {3, 0, 0});
-  expect_near(corner(at(0.5, "up")), {2, 0, 0});
-  expect_near(corner(at(0.5, "right")), {2, 0, 0});
-  expect_near(corner(at(0.5, "all")), {3, 0, 0});
+  expect_near(corner(options_at(1)), {3, 0, 0});
+  expect_near(corner(options_at(1, "1")), {3, 0, 0});
+  expect_near(corner(options_at(1, "up")), {3, 0, 0});
+  expect_near(corner(options_at(0.5, "up")), {2, 0, 0});
+  expect_near(corner(options_at(0.5, "right")), {2, 0, 0});
+  expect_near(corner(options_at(0.5, "all")), {3, 0, 0});
   LoadOptions start;
   start.animation = "right";
   expect_near(corner(start), {1, 0, 0});
-  EXPECT_EQ(error_at(text, at(1, "down")),
+  EXPECT_EQ(error_at(text, options_at(1, "down")),
             "model.gltf: animations: there is no animation \"down\"; there are: 0 \"right\", 1 \"up\"");
-  EXPECT_EQ(error_at(triangle().json()), "model.gltf: animations: there is no animation \"0\", the file has none");
+  EXPECT_EQ(error_at(movable_triangle().json()),
+            "model.gltf: animations: there is no animation \"0\", the file has none");
   const LoadedScene loaded = load_text(text);
   ASSERT_EQ(loaded.animations.size(), 2u);
   EXPECT_EQ(loaded.animations[0].name, "right");
@@ -275,7 +264,7 @@ TEST(GltfAnimation, RefusesKeysThatMakeNoCurve) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const auto error = [](const std::vector<float>& times, const std::vector<float>& values,
                         const std::string& type = "VEC3", const std::string& interpolation = "LINEAR") {
-    AnimatedSample sample = triangle();
+    AnimatedSample sample = movable_triangle();
     sample.move_node(0, "translation", type, times, values, interpolation);
     const std::string text = sample.animated_json();
     EXPECT_EQ(load_text(text).scene.instances.size(), 1u) << "the rest pose is there all the same";
@@ -318,7 +307,7 @@ TEST(GltfAnimation, KeysOfIntegersAreRefusedOnlyWhenChosen) {
 }
 
 TEST(GltfAnimation, RefusesReferencesToNothing) {
-  AnimatedSample sample = triangle();
+  AnimatedSample sample = movable_triangle();
   sample.move_node(0, "translation", "VEC3", {0, 1}, {0, 0, 0, 0, 0, 0});
   AnimatedSample bad = sample;
   bad.channels = {R"({"sampler":1,"target":{"node":0,"path":"scale"}})"};
@@ -331,86 +320,17 @@ TEST(GltfAnimation, RefusesReferencesToNothing) {
   EXPECT_EQ(load_error(bad.animated_json()),
             "model.gltf: animations[0].channels[0].target.extensions.KHR_animation_pointer.pointer: is missing");
   bad.channels = {R"({"sampler":0,"target":{"path":"translation"}})"};  // no node: to be ignored
-  EXPECT_TRUE(load_text(bad.animated_json(), at(1)).warnings.empty());
+  EXPECT_TRUE(load_text(bad.animated_json(), options_at(1)).warnings.empty());
 }
 
 // Sixty-four million keys of zeros in a few characters of text.
 TEST(GltfAnimation, RefusesKeysOutOfProportion) {
-  AnimatedSample sample = triangle();
+  AnimatedSample sample = movable_triangle();
   sample.accessors.push_back(R"({"componentType":5126,"type":"SCALAR","count":67108864})");
   sample.accessors.push_back(R"({"componentType":5126,"type":"VEC4","count":67108864})");
   sample.channels = {R"({"sampler":0,"target":{"node":0,"path":"rotation"}})"};
   sample.animation_samplers = {R"({"input":1,"output":2})"};
   EXPECT_NE(error_at(sample.animated_json()).find("the keys expand to far more"), std::string::npos);
-}
-
-bool is_same(const Scene& a, const Scene& b) {
-  bool is_equal = a.meshes.size() == b.meshes.size() && a.images.size() == b.images.size() &&
-                  a.instances.size() == b.instances.size() && a.materials.size() == b.materials.size();
-  for (std::size_t m = 0; m < a.meshes.size() && is_equal; ++m) {
-    is_equal = a.meshes[m].positions == b.meshes[m].positions && a.meshes[m].normals == b.meshes[m].normals &&
-               a.meshes[m].tangents == b.meshes[m].tangents && a.meshes[m].triangles == b.meshes[m].triangles &&
-               a.meshes[m].material == b.meshes[m].material;
-  }
-  for (std::size_t i = 0; i < a.images.size() && is_equal; ++i) is_equal = a.images[i].rgba8 == b.images[i].rgba8;
-  for (std::size_t m = 0; m < a.materials.size() && is_equal; ++m) {
-    is_equal = a.materials[m].base_color == b.materials[m].base_color;
-  }
-  return is_equal;
-}
-
-// Two objects, one of which vanishes with its texture for a while; times in any order, images given back or not.
-TEST(SceneSequence, GivesWhatAStillGives) {
-  AnimatedSample sample;
-  sample.add_accessor<float>(gl_float, "VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0});
-  sample.add_accessor<float>(gl_float, "VEC2", 3, {0, 0, 1, 0, 0, 1});
-  sample.add_triangle(",\"TEXCOORD_0\":1", ",\"material\":0");
-  sample.add_triangle(",\"TEXCOORD_0\":1", ",\"material\":1");
-  sample.images = {"{\"uri\":\"data:image/png;base64," + std::string(png_rgba8) + "\"}",
-                   "{\"uri\":\"data:image/png;base64," + std::string(png_grey8) + "\"}"};
-  sample.textures = {R"({"source":0})", R"({"source":1})"};
-  sample.materials = {R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
-                      R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}},
-                          "normalTexture":{"index":1,"extensions":{"KHR_texture_transform":{}}}})"};
-  sample.nodes[0] = R"({"mesh":0,"extensions":{"KHR_node_visibility":{}}})";
-  sample.move("/nodes/0/extensions/KHR_node_visibility/visible", "SCALAR", {0, 1, 2}, {1, 0, 1}, "STEP");
-  sample.move("/nodes/1/translation", "VEC3", {0, 3}, {0, 0, 0, 0.3f, 7, 1});
-  sample.move("/materials/1/pbrMetallicRoughness/baseColorFactor", "VEC4", {0, 3}, {0, 0, 0, 1, 1, 1, 1, 1});
-  // Tangents that are not in the file follow the texture.
-  sample.move("/materials/1/normalTexture/extensions/KHR_texture_transform/rotation", "SCALAR", {0, 3}, {0, 3});
-  const std::string text = sample.animated_json();
-  const TemporaryFolder folder;
-  write_text(folder / "model.gltf", text);
-  SceneSequence sequence(folder / "model.gltf", {});
-  std::vector<Scene> seen;
-  for (const double seconds : {0.0, 0.3, 1.2, 2.5, 1.7, 0.3, 9.0}) {
-    LoadedScene loaded = sequence.at(seconds);
-    EXPECT_TRUE(is_same(loaded.scene, load_text(text, at(seconds)).scene)) << seconds;
-    for (const Scene& other : seen) EXPECT_FALSE(is_same(loaded.scene, other)) << "the test sees differences";
-    if (seconds < 0.3) seen.push_back(loaded.scene);
-    if (seconds != 2.5) sequence.recycle(std::move(loaded.scene));
-  }
-}
-
-TEST(SceneSequence, KnowsTheWholeMotion) {
-  AnimatedSample sample = triangle();
-  sample.move_node(0, "translation", "VEC3", {0, 4}, {0, 0, 0, 20, 0, 0});
-  const TemporaryFolder folder;
-  write_text(folder / "model.gltf", sample.animated_json());
-  SceneSequence sequence(folder / "model.gltf", {});
-  Bounds bounds;
-  for (const Vec3 point : sequence.motion().outline) bounds.add(point);
-  expect_near(bounds.low, {0, 0, 0});
-  expect_near(bounds.high, {21, 1, 0});
-  EXPECT_FALSE(sequence.motion().has_light);
-}
-
-TEST(SceneSequence, RefusesFilesWithoutAnimations) {
-  const TemporaryFolder folder;
-  write_text(folder / "model.gltf", triangle().json());
-  EXPECT_THROW(SceneSequence(folder / "model.gltf", {}), InputError);
-  write_text(folder / "mesh.ply", "ply\n");
-  EXPECT_THROW(SceneSequence(folder / "mesh.ply", {}), InputError);
 }
 
 }  // namespace

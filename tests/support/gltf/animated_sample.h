@@ -53,4 +53,18 @@ struct AnimatedSample : GltfSample {
   }
 };
 
+/// A triangle under node 0, to be moved.
+inline AnimatedSample movable_triangle() {
+  AnimatedSample sample;
+  sample.add_triangle();
+  return sample;
+}
+
+inline LoadOptions options_at(double seconds, const std::string& animation = "") {
+  LoadOptions options;
+  options.animation = animation;
+  options.at = seconds;
+  return options;
+}
+
 }  // namespace candil::test
