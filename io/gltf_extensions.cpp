@@ -140,7 +140,12 @@ bool is_harmless_gltf_extension(std::string_view extension) {
   return find_extension(extension).tier == GltfTier::harmless;
 }
 
-std::string_view missing_gltf_package(std::string_view extension) { return find_extension(extension).missing_package; }
+std::string why_gltf_extension_is_ignored(std::string_view extension) {
+  const GltfExtension row = find_extension(extension);
+  if (!row.missing_package.empty()) return "ignored: this build has no " + std::string(row.missing_package);
+  if (row.tier == GltfTier::experimental) return "ignored: " + row.explanation();
+  return "not supported and ignored";
+}
 
 std::optional<NotHonoured> what_is_not_honoured(const std::string& extension, Experiments experiments) {
   const GltfExtension row = find_extension(extension);

@@ -56,8 +56,9 @@ bool is_supported_gltf_extension(std::string_view extension, Experiments experim
 /// May be ignored even when a file requires it.
 bool is_harmless_gltf_extension(std::string_view extension);
 
-/// For want of which package this build does not have the extension; empty for all others.
-std::string_view missing_gltf_package(std::string_view extension);
+/// The end of a sentence about an extension that is not honoured: "not supported and ignored", or what it is ignored
+/// for want of.
+std::string why_gltf_extension_is_ignored(std::string_view extension);
 
 /// Why a picture may lack what the extension says; nothing if it is rendered in full.
 std::optional<NotHonoured> what_is_not_honoured(const std::string& extension, Experiments experiments = {});

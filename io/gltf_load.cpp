@@ -21,9 +21,7 @@ void report_unsupported(const GltfDocument& document, const LoadOptions& options
       loaded.not_honoured.push_back(*not_honoured);
     if (is_supported_gltf_extension(extension, options.experiments) || is_harmless_gltf_extension(extension)) continue;
     loaded.extensions_unsupported.push_back(extension);
-    const std::string package(missing_gltf_package(extension));
-    warnings.add("extension " + printable(extension) + " is " +
-                 (package.empty() ? "not supported and ignored" : "ignored: this build has no " + package));
+    warnings.add("extension " + printable(extension) + " is " + why_gltf_extension_is_ignored(extension));
   }
   for (NotHonoured& part : parts_not_honoured(loaded.contents, options.point_radius > 0))
     loaded.not_honoured.push_back(std::move(part));

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/expect_near.h"
+
 namespace candil {
 namespace {
 
+using test::expect_near;
+
 const Affine sheared{Mat3(Vec3(2, 0, 0.5f), Vec3(-1, 1.5f, 0), Vec3(0.25f, 0.5f, 3)), Vec3(4, -5, 6)};
 const Affine mirrored{Mat3(Vec3(-1, 0, 0), Vec3(0, 2, 0), Vec3(0.5f, 0, 1)), Vec3(1, 2, 3)};
-
-void expect_near(Vec3 a, Vec3 b, float tolerance = 1e-5f) { EXPECT_LT(glm::length(a - b), tolerance); }
 
 TEST(Affine, ProductAppliesTheRightFactorFirst) {
   const Vec3 p(0.3f, -2, 7);

@@ -4,13 +4,12 @@
 
 #include <cmath>
 
+#include "tests/support/expect_near.h"
+
 namespace candil {
 namespace {
 
-void expect_near(Vec3 a, Vec3 b, float tolerance = 1e-5f) {
-  EXPECT_LT(glm::length(a - b), tolerance)
-      << a.x << ", " << a.y << ", " << a.z << " instead of " << b.x << ", " << b.y << ", " << b.z;
-}
+using test::expect_near;
 
 /// At (1, 2, 3), looking along -X: right is -Z, up is +Y.
 Camera sideways() {

@@ -5,9 +5,12 @@
 #include <array>
 
 #include "core/surface.h"
+#include "tests/support/expect_near.h"
 
 namespace candil {
 namespace {
+
+using test::expect_near;
 
 /// A bent strip of two triangles with every attribute.
 Mesh strip() {
@@ -48,10 +51,6 @@ SurfacePoint point_of(const Scene& scene, std::uint32_t triangle, std::array<flo
   hit.triangle = triangle;
   hit.barycentric = {vertex_weights[t.y], vertex_weights[t.z]};
   return make_surface_point(scene, hit);
-}
-
-void expect_near(Vec3 a, Vec3 b, float tolerance, const char* what) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << what << ' ' << i;
 }
 
 // Baking moves work from rays to loading and must not be seen: same points, same frames, same front, at vertices as

@@ -5,8 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "tests/support/expect_near.h"
+
 namespace candil {
 namespace {
+
+using test::expect_near;
 
 /// One triangle, one instance. Normals bend away from the flat one; tangents are not orthogonal to anything in
 /// particular.
@@ -50,10 +54,6 @@ const std::array transforms = {
     Affine{Mat3(1e-3f), Vec3(0)},
     Affine{Mat3(-1e4f), Vec3(5)},
 };
-
-void expect_near(Vec3 a, Vec3 b, float tolerance, const char* what) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << what << ' ' << i;
-}
 
 /// The flat normal of the front side of a transformed triangle, from its winding in world space; a mirrored transform
 /// turns the winding round (glTF 2.0, section 3.7.4).

@@ -37,8 +37,4 @@ std::vector<Vec3> linear_values(const Image& image, const Tonemap& tonemap, floa
 
 Vec3 linear_value(Vec3 color, const Tonemap& tonemap) { return linear_values(row_of({color}), tonemap)[0]; }
 
-void expect_near(Vec3 actual, Vec3 expected, float tolerance) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "channel " << i;
-}
-
 }  // namespace candil::test

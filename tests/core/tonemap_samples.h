@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/tonemap.h"
+#include "tests/support/expect_near.h"
 
 namespace candil::test {
 
@@ -18,7 +19,5 @@ std::vector<Vec3> display_values(const Image& image, const Tonemap& tonemap, flo
 std::vector<Vec3> linear_values(const Image& image, const Tonemap& tonemap, float exposure = 0);
 /// Of a single pixel, without the sRGB curve.
 Vec3 linear_value(Vec3 color, const Tonemap& tonemap);
-
-void expect_near(Vec3 actual, Vec3 expected, float tolerance);
 
 }  // namespace candil::test

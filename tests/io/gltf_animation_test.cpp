@@ -6,15 +6,12 @@
 #include "io/error.h"
 #include "io/scene_sequence.h"
 #include "tests/io/image_samples.h"
+#include "tests/support/expect_near.h"
 #include "tests/support/gltf/animated_sample.h"
 #include "tests/support/temporary_folder.h"
 
 namespace candil::test {
 namespace {
-
-void expect_near(Vec3 a, Vec3 b) {
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[axis], b[axis], 1e-5f) << axis;
-}
 
 std::string error_at(const std::string& text, const LoadOptions& options = options_at(0.5)) {
   try {

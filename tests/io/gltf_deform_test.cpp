@@ -3,14 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/expect_near.h"
 #include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {
-
-void expect_near(Vec3 a, Vec3 b) {
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[axis], b[axis], 1e-5f) << axis;
-}
 
 /// The triangle (0 0 0), (1 0 0), (0 1 0) with all attributes, drawn by node 0.
 struct MorphSample : GltfSample {

@@ -65,6 +65,9 @@ TEST(GltfError, NamesAllRequiredExtensionsThatAreMissing) {
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"extension ACME_paint is not supported and ignored"});
   EXPECT_EQ(loaded.contents.extensions_used, (std::vector<std::string>{"ACME_paint", "KHR_materials_ior", "KHR_xmp"}));
   EXPECT_EQ(loaded.extensions_unsupported, std::vector<std::string>{"ACME_paint"});
+  EXPECT_EQ(load_text("{" + asset + R"(,"extensionsUsed":["KHR_materials_volume_scatter"]})").warnings,
+            std::vector<std::string>{
+                "extension KHR_materials_volume_scatter is ignored: --experimental volume-scatter has it"});
   ASSERT_EQ(loaded.not_honoured.size(), 2u);
   EXPECT_EQ(loaded.not_honoured[0].what + ", " + loaded.not_honoured[0].reason, "ACME_paint, unsupported");
   EXPECT_EQ(loaded.not_honoured[1].what + ", " + loaded.not_honoured[1].reason, "KHR_xmp, ignored: metadata");

@@ -3,18 +3,11 @@
 #include <cmath>
 
 #include "io/error.h"
+#include "tests/support/expect_near.h"
 #include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {
-
-constexpr float tolerance = 1e-5f;
-
-void expect_near(Vec3 a, Vec3 b) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 /// The triangle of GltfSample with nodes and further root members in place of its own.
 GltfSample sample_with_nodes(std::vector<std::string> nodes, const std::string& root = "") {

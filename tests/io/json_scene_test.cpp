@@ -3,14 +3,11 @@
 
 #include "core/metals.h"
 #include "tests/io/json_sample.h"
+#include "tests/support/expect_near.h"
 #include "tests/support/gltf/gltf_sample.h"
 
 namespace candil::test {
 namespace {
-
-void expect_near(Vec3 a, Vec3 b, float tolerance = 1e-5f) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
-}
 
 Material only_material(const std::string& material, const std::string& root = "") {
   const LoadedScene loaded = load_json("{" + root + R"("objects": [{"type": "sphere", "center": [0, 0, 0],
