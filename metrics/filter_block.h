@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "core/bvh/target.h"
 #include "metrics/fast_math.h"
@@ -41,13 +42,55 @@ using FilterLanes = float __attribute__((vector_size(filter_lanes * sizeof(float
 #endif
 }
 
-/// The halves of kernels of the same radius (HalfKernel), and where their results go. With `adds`, onto what is there.
+/// The halves of kernels (HalfKernel), of the same radius or the largest first, and where their results go. With
+/// `adds`, onto what is there.
 template <std::size_t kernels>
 struct Filters {
   const float* weights[kernels];
   float* out[kernels];
-  int radius;
+  int radii[kernels];
   bool adds = false;
+};
+
+/// The sums of a block of columns under way, one after the other of the places k to either side of them.
+template <int vectors, bool... is_symmetric>
+struct FilterSums {
+  static constexpr std::size_t kernels = sizeof...(is_symmetric);
+  static constexpr bool symmetric[] = {is_symmetric...};
+  FilterLanes lanes[vectors][kernels];
+
+  /// The middle, for output x.
+  [[gnu::always_inline]] void start(const Filters<kernels>& filters, const float* middle, int x) {
+#pragma GCC unroll 4
+    for (int v = 0; v < vectors; ++v)
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < kernels; ++i) {
+        const int place = x + v * filter_lanes;
+        lanes[v][i] = filters.adds ? load_lanes(filters.out[i] + place) : FilterLanes{};
+        if (symmetric[i])
+          lanes[v][i] = multiply_add_lanes(load_lanes(middle + place), filters.weights[i][0], lanes[v][i]);
+      }
+  }
+
+  /// What is k places beside, of the first `active` kernels.
+  template <std::size_t active>
+  [[gnu::always_inline]] void add(const Filters<kernels>& filters, const float* left, const float* right, int k) {
+#pragma GCC unroll 4
+    for (int v = 0; v < vectors; ++v) {
+      const FilterLanes l = load_lanes(left + v * filter_lanes), r = load_lanes(right + v * filter_lanes);
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < active; ++i)
+        lanes[v][i] = multiply_add_lanes(symmetric[i] ? r + l : r - l, filters.weights[i][k], lanes[v][i]);
+    }
+  }
+
+  /// All places from k on: those that all kernels reach, then those that all but the last reach, and so on.
+  template <std::size_t active, typename Before, typename After>
+  [[gnu::always_inline]] void add_all(const Filters<kernels>& filters, const Before& before, const After& after, int x,
+                                      int k) {
+    for (; k <= filters.radii[active - 1]; ++k) add<active>(filters, before(k) + x, after(k) + x, k);
+    if constexpr (active > 1) add_all<active - 1>(filters, before, after, x, k);
+  }
 };
 
 /// `before(k)` and `after(k)` point at the values of output 0 that are k to either side of it. Every output is summed
@@ -56,33 +99,14 @@ template <int vectors, bool... is_symmetric, typename Before, typename After>
 [[gnu::always_inline]] inline void filter_block(const Filters<sizeof...(is_symmetric)>& filters, const Before& before,
                                                 const After& after, int x) {
   constexpr std::size_t kernels = sizeof...(is_symmetric);
-  constexpr bool symmetric[] = {is_symmetric...};
-  FilterLanes sums[vectors][kernels];
-#pragma GCC unroll 4
-  for (int v = 0; v < vectors; ++v)
-#pragma GCC unroll 3
-    for (std::size_t i = 0; i < kernels; ++i) {
-      const int place = x + v * filter_lanes;
-      sums[v][i] = filters.adds ? load_lanes(filters.out[i] + place) : FilterLanes{};
-      if (symmetric[i])
-        sums[v][i] = multiply_add_lanes(load_lanes(after(0) + place), filters.weights[i][0], sums[v][i]);
-    }
-  for (int k = 1; k <= filters.radius; ++k) {
-    const float* const left = before(k) + x;
-    const float* const right = after(k) + x;
-#pragma GCC unroll 4
-    for (int v = 0; v < vectors; ++v) {
-      const FilterLanes l = load_lanes(left + v * filter_lanes), r = load_lanes(right + v * filter_lanes);
-#pragma GCC unroll 3
-      for (std::size_t i = 0; i < kernels; ++i)
-        sums[v][i] = multiply_add_lanes(symmetric[i] ? r + l : r - l, filters.weights[i][k], sums[v][i]);
-    }
-  }
+  FilterSums<vectors, is_symmetric...> sums;
+  sums.start(filters, after(0), x);
+  sums.template add_all<kernels>(filters, before, after, x, 1);
 #pragma GCC unroll 4  // else the sums leave their registers twice
   for (int v = 0; v < vectors; ++v)
-#pragma GCC unroll 3
+#pragma GCC unroll 4
     for (std::size_t i = 0; i < kernels; ++i) {
-      const FilterLanes sum = sums[v][i];
+      const FilterLanes sum = sums.lanes[v][i];
       std::memcpy(filters.out[i] + x + v * filter_lanes, &sum, sizeof sum);
     }
 }
@@ -103,7 +127,7 @@ void filter_values(const Filters<sizeof...(is_symmetric)>& filters, const Before
       const float* const weights = filters.weights[i];
       float sum = filters.adds ? filters.out[i][x] : 0.0f;
       if (symmetric[i]) sum = multiply_add(after(0)[x], weights[0], sum);
-      for (int k = 1; k <= filters.radius; ++k) {
+      for (int k = 1; k <= filters.radii[i]; ++k) {
         const float both = symmetric[i] ? after(k)[x] + before(k)[x] : after(k)[x] - before(k)[x];
         sum = multiply_add(both, weights[k], sum);
       }
@@ -125,22 +149,57 @@ void filter_across(const Filters<sizeof...(is_symmetric)>& filters, const float*
       filters, [middle](int k) { return middle[-k]; }, [middle](int k) { return middle[k]; }, count);
 }
 
-/// Across `batch` rows below each other, the first of which is `middle`; their outputs are `stride` apart. Some columns
-/// at a time, while what the rows share is near.
-template <int batch, bool... is_symmetric>
-void filter_batch(const Filters<sizeof...(is_symmetric)>& filters, const float* const* middle, std::size_t stride,
-                  int count) {
-  constexpr int block = 4 * filter_lanes;
-  for (int x = 0; x < count; x += block)
-    for (int r = 0; r < batch; ++r) {
-      Filters<sizeof...(is_symmetric)> part = filters;
-      for (float*& out : part.out) out += static_cast<std::size_t>(r) * stride + static_cast<std::size_t>(x);
-      const float* const* const rows = middle + r;
-      filter_values<is_symmetric...>(
-          part, [rows, x](int k) { return rows[-k] + x; }, [rows, x](int k) { return rows[k] + x; },
-          count - x < block ? count - x : block);
-    }
-}
+/// Sums across `batch` rows below each other, of some columns and kernels. Rows are taken from the top to the bottom,
+/// and each adds to all outputs that it reaches, so that it is loaded once for all of them.
+template <int batch, int vectors, std::size_t kernels>
+struct BatchSums {
+  FilterLanes lanes[kernels][batch][vectors] = {};
+
+  /// Adds what whole kernels (2 radius + 1 weights each) make of the rows; rows[0] is the uppermost that output 0 sees.
+  /// The radius is at least 1.
+  [[gnu::always_inline]] void add(const float* const (&weights)[kernels], int radius, const float* const* rows, int x) {
+    // Those at the top reach the first outputs only, those at the bottom the last ones.
+    add_top(weights, rows, x, std::make_integer_sequence<int, batch - 1>());
+    for (int j = batch - 1; j <= 2 * radius; ++j) add_row<0, batch>(weights, rows, j, x);
+    add_bottom(weights, 2 * radius, rows, x, std::make_integer_sequence<int, batch - 1>());
+  }
+
+  /// Writes them to rows that are `stride` apart.
+  [[gnu::always_inline]] void store(std::size_t kernel, float* out, std::size_t stride, int x) const {
+#pragma GCC unroll 8
+    for (int r = 0; r < batch; ++r)
+#pragma GCC unroll 4
+      for (int v = 0; v < vectors; ++v)
+        std::memcpy(out + static_cast<std::size_t>(r) * stride + x + v * filter_lanes, &lanes[kernel][r][v],
+                    sizeof(FilterLanes));
+  }
+
+ private:
+  template <int first, int end>
+  [[gnu::always_inline]] void add_row(const float* const (&weights)[kernels], const float* const* rows, int j, int x) {
+    FilterLanes values[vectors];
+#pragma GCC unroll 4
+    for (int v = 0; v < vectors; ++v) values[v] = load_lanes(rows[j] + x + v * filter_lanes);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kernels; ++i)
+#pragma GCC unroll 8
+      for (int r = first; r < end; ++r)
+#pragma GCC unroll 4
+        for (int v = 0; v < vectors; ++v)
+          lanes[i][r][v] = multiply_add_lanes(values[v], weights[i][j - r], lanes[i][r][v]);
+  }
+
+  template <int... j>
+  [[gnu::always_inline]] void add_top(const float* const (&weights)[kernels], const float* const* rows, int x,
+                                      std::integer_sequence<int, j...>) {
+    (add_row<0, j + 1>(weights, rows, j, x), ...);
+  }
+  template <int... j>
+  [[gnu::always_inline]] void add_bottom(const float* const (&weights)[kernels], int last, const float* const* rows,
+                                         int x, std::integer_sequence<int, j...>) {
+    (add_row<j + 1, batch>(weights, rows, last + 1 + j, x), ...);
+  }
+};
 
 }  // namespace CANDIL_TARGET
 }  // namespace candil

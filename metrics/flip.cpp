@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <list>
 #include <vector>
 
 #include "metrics/flip_color.h"
@@ -14,20 +15,32 @@
 namespace candil {
 namespace {
 
-FlipWeights::Kernel plain(const HalfKernel& kernel) { return {kernel.weights.data(), kernel.radius()}; }
+/// FlipFilters in the form that tiles take.
+class PlainFilters {
+ public:
+  explicit PlainFilters(const FlipFilters& filters)
+      : plain_{plain(filters.luminance),
+               plain(filters.red_green),
+               plain(filters.blue_yellow_wide),
+               plain(filters.blue_yellow_narrow),
+               plain(filters.blue_yellow_wide_along),
+               plain(filters.blue_yellow_narrow_along),
+               plain(filters.smooth),
+               plain(filters.edge),
+               plain(filters.point),
+               filters.radius} {}
 
-FlipWeights plain(const FlipFilters& filters) {
-  return {plain(filters.luminance),
-          plain(filters.red_green),
-          plain(filters.blue_yellow_wide),
-          plain(filters.blue_yellow_narrow),
-          plain(filters.blue_yellow_wide_along),
-          plain(filters.blue_yellow_narrow_along),
-          plain(filters.smooth),
-          plain(filters.edge),
-          plain(filters.point),
-          filters.radius};
-}
+  const FlipWeights& weights() const { return plain_; }
+
+ private:
+  FlipWeights::Kernel plain(const HalfKernel& kernel) {
+    wholes_.push_back(whole_kernel(kernel));
+    return {kernel.weights.data(), wholes_.back().data(), kernel.radius()};
+  }
+
+  std::list<std::vector<float>> wholes_;
+  FlipWeights plain_;
+};
 
 /// What a tile is worked on in.
 class Scratch {
@@ -73,6 +86,7 @@ Flip measure_flip(const ImagePair& pair, const FlipSettings& settings) {
   std::vector<float> scales;
   for (int k = 0; k < exposures.count; ++k) scales.push_back(std::exp2(exposures.stops(k)));
   const FlipFilters filters = make_flip_filters(settings.pixels_per_degree);
+  const PlainFilters plain(filters);
   const int width = pair.width(), height = pair.height();
   const FlipTile whole = {pair.a.pixels.data(),
                           pair.b.pixels.data(),
@@ -82,7 +96,7 @@ Flip measure_flip(const ImagePair& pair, const FlipSettings& settings) {
                           pair.kind == ValueKind::linear,
                           scales.data(),
                           exposures.count,
-                          plain(filters),
+                          plain.weights(),
                           largest_color_difference(),
                           0,
                           0,

@@ -117,10 +117,10 @@ void raise_high(const Knee& knee, const float* __restrict powers, const float* _
   }
 }
 
-/// One image at one exposure: rows of opponent colours around those under way, row y in slot y mod span.
+/// One image at one exposure: rows around those under way, filtered along; row y in slot y mod span.
 struct Window {
-  float* planes[3];
-  const float** rows[3];  // all slots of a plane, twice
+  float* planes[flip_planes];
+  const float** rows[flip_planes];  // all slots of a plane, twice
 };
 
 class TileWork {
@@ -129,30 +129,30 @@ class TileWork {
       : tile_(tile),
         radius_(tile.filters.radius),
         span_(flip_span(radius_)),
-        stride_(flip_stride(radius_)),
         width_(tile.x1 - tile.x0),
         wide_(width_ + 2 * radius_),
+        padded_((width_ + filter_lanes - 1) / filter_lanes * filter_lanes),
         knee_(tile.largest_color_difference) {
     float* next = tile.scratch;
-    const auto take = [&](int rows) {
+    const auto take = [&](std::size_t stride, int rows) {
       float* const taken = next;
-      next += stride_ * static_cast<std::size_t>(rows);
+      next += stride * static_cast<std::size_t>(rows);
       return taken;
     };
     const float** next_row = tile.rows;
     for (auto& exposure : windows_)
       for (Window& window : exposure)
-        for (int channel = 0; channel < 3; ++channel) {
-          window.planes[channel] = take(span_);
-          window.rows[channel] = next_row;
+        for (int plane = 0; plane < flip_planes; ++plane) {
+          window.planes[plane] = take(flip_stride, span_);
+          window.rows[plane] = next_row;
           for (int i = 0; i < 2 * span_; ++i)
-            *next_row++ = window.planes[channel] + static_cast<std::size_t>(i % span_) * stride_;
+            *next_row++ = window.planes[plane] + static_cast<std::size_t>(i % span_) * flip_stride;
         }
-    for (float*& row : colors_) row = take(1);
-    for (float*& row : across_) row = take(flip_batch);
+    for (float*& row : colors_) row = take(flip_wide_stride(radius_), 1);
+    for (float*& row : opponent_) row = take(flip_wide_stride(radius_), 1);
     for (auto& image : out_)
-      for (float*& row : image) row = take(1);
-    for (float*& row : parts_) row = take(1);
+      for (float*& rows : image) rows = take(flip_stride, flip_batch);
+    for (float*& row : parts_) row = take(flip_stride, 1);
   }
 
   void raise() {
@@ -180,16 +180,6 @@ class TileWork {
 
   int slot(int y) const { return (y + span_) % span_; }  // y is -radius at the least
 
-  void push_row(const Window& window, int y, float scale) {
-    const std::size_t place = static_cast<std::size_t>(slot(y)) * stride_;
-    float *const luminance = window.planes[0] + place, *const red_green = window.planes[1] + place;
-    float* const blue_yellow = window.planes[2] + place;
-    if (tile_.is_linear)
-      push_linear(colors_[0], colors_[1], colors_[2], scale, luminance, red_green, blue_yellow, wide_);
-    else
-      push_display(colors_[0], colors_[1], colors_[2], luminance, red_green, blue_yellow, wide_);
-  }
-
   /// Row y of the tile and what is around it; outside of the image it continues with its outermost pixels.
   void load_row(const float* image, int y) {
     const int inside_y = y < 0 ? 0 : (y < tile_.height ? y : tile_.height - 1);
@@ -207,78 +197,112 @@ class TileWork {
 
   using Kernel = FlipWeights::Kernel;
 
-  /// For filters across the rows of a batch: the first one's place among them.
-  const float* const* rows_of(const Window& window, int channel, int y) const {
-    return window.rows[channel] + slot(y - radius_) + radius_;
+  /// The row that is loaded, at an exposure, filtered along.
+  void push_row(const Window& window, int y, float scale) {
+    if (tile_.is_linear)
+      push_linear(colors_[0], colors_[1], colors_[2], scale, opponent_[0], opponent_[1], opponent_[2], wide_);
+    else
+      push_display(colors_[0], colors_[1], colors_[2], opponent_[0], opponent_[1], opponent_[2], wide_);
+    float* out[flip_planes];
+    for (int plane = 0; plane < flip_planes; ++plane)
+      out[plane] = window.planes[plane] + static_cast<std::size_t>(slot(y)) * flip_stride;
+    const FlipWeights& filters = tile_.filters;
+    const Kernel &smooth = filters.smooth, &edge = filters.edge, &point = filters.point, &contrast = filters.luminance;
+    filter_along<true, false, true, true>({{smooth.weights, edge.weights, point.weights, contrast.weights},
+                                           {out[4], out[5], out[6], out[0]},
+                                           {smooth.radius, edge.radius, point.radius, contrast.radius}},
+                                          opponent_[0] + radius_, padded_);
+    filter_along<true>({{filters.red_green.weights}, {out[1]}, {filters.red_green.radius}}, opponent_[1] + radius_,
+                       padded_);
+    const Kernel &first = filters.blue_yellow_wide_along, &second = filters.blue_yellow_narrow_along;
+    filter_along<true, true>({{first.weights, second.weights}, {out[2], out[3]}, {first.radius, second.radius}},
+                             opponent_[2] + radius_, padded_);
   }
-  void across(const Kernel& kernel, const float* const* rows, float* out) const {
-    filter_batch<flip_batch, true>({{kernel.weights}, {out}, kernel.radius}, rows, stride_, wide_);
+
+  /// The rows that a kernel reaches from row y on.
+  const float* const* rows_of(const Window& window, int plane, int y, int radius) const {
+    return window.rows[plane] + slot(y - radius_) + radius_ - radius;
   }
-  void along(const Kernel& kernel, const float* in, float* out, bool adds = false) const {
-    filter_along<true>({{kernel.weights}, {out}, kernel.radius, adds}, in + radius_, width_);
+
+  /// A plane across.
+  void filter_across(const Window& window, int plane, int y, const Kernel& kernel, float* out) const {
+    const float* const* const rows = rows_of(window, plane, y, kernel.radius);
+    for_each_block<across_vectors>([&]<int vectors>(int x) {
+      BatchSums<flip_batch, vectors, 1> sums;
+      sums.add({kernel.whole}, kernel.radius, rows, x);
+      sums.store(0, out, flip_stride, x);
+    });
+  }
+
+  /// Blue-yellow: two planes, each by its own kernel, added up.
+  void filter_sum_across(const Window& window, int y, float* out) const {
+    const Kernel &wide = tile_.filters.blue_yellow_wide, &narrow = tile_.filters.blue_yellow_narrow;
+    const float* const* const wide_rows = rows_of(window, 2, y, wide.radius);
+    const float* const* const narrow_rows = rows_of(window, 3, y, narrow.radius);
+    for_each_block<across_vectors>([&]<int vectors>(int x) {
+      BatchSums<flip_batch, vectors, 1> sums;
+      sums.add({wide.whole}, wide.radius, wide_rows, x);
+      sums.add({narrow.whole}, narrow.radius, narrow_rows, x);
+      sums.store(0, out, flip_stride, x);
+    });
+  }
+
+  /// Edges and points across of one plane.
+  void filter_features_across(const Window& window, int y, float* edges, float* points) const {
+    const Kernel &edge = tile_.filters.edge, &point = tile_.filters.point;  // of one radius
+    const float* const* const rows = rows_of(window, 4, y, edge.radius);
+    for_each_block<across_vectors / 2>([&]<int vectors>(int x) {
+      BatchSums<flip_batch, vectors, 2> sums;
+      sums.add({edge.whole, point.whole}, edge.radius, rows, x);
+      sums.store(0, edges, flip_stride, x);
+      sums.store(1, points, flip_stride, x);
+    });
+  }
+
+  /// Calls visit<vectors>(x) for all columns, as many at a time as there are registers for, and the rest one by one.
+  template <int vectors, typename Visit>
+  void for_each_block(const Visit& visit) const {
+    int x = 0;
+    for (; x + vectors * filter_lanes <= padded_; x += vectors * filter_lanes) visit.template operator()<vectors>(x);
+    for (; x < padded_; x += filter_lanes) visit.template operator()<1>(x);
+  }
+  static constexpr int across_vectors = filter_lanes == 16 ? 4 : 2;
+
+  /// The rows of a batch across: luminance, red-green, blue-yellow, then edges and points in both directions.
+  void filter_rows(const Window& window, int y, float* const* out) const {
+    const FlipWeights& filters = tile_.filters;
+    filter_across(window, 0, y, filters.luminance, out[0]);
+    filter_across(window, 1, y, filters.red_green, out[1]);
+    filter_sum_across(window, y, out[2]);
+    filter_features_across(window, y, out[3], out[5]);
+    filter_across(window, 5, y, filters.smooth, out[4]);
+    filter_across(window, 6, y, filters.smooth, out[6]);
   }
 
   /// Rows up to the radius around those of the batch have been pushed. Some may be below the tile.
   void raise_batch(const Window (&windows)[2], int y) {
-    for (int image = 0; image < 2; ++image) filter_rows(windows[image], y, across_ + image * kernels);
-    for (int i = 0; i < flip_batch && y + i < tile_.y1; ++i) {
-      for (int image = 0; image < 2; ++image) filter_row(across_ + image * kernels, i, out_[image]);
-      raise_row(y + i);
-    }
+    for (int image = 0; image < 2; ++image) filter_rows(windows[image], y, out_[image]);
+    for (int i = 0; i < flip_batch && y + i < tile_.y1; ++i)
+      raise_row(y + i, static_cast<std::size_t>(i) * flip_stride);
   }
 
-  /// The rows of a batch across.
-  void filter_rows(const Window& window, int y, float* const* out) const {
-    const FlipWeights& filters = tile_.filters;
-    const float* const* rows = rows_of(window, 0, y);
-    across(filters.luminance, rows, out[0]);
-    filter_batch<flip_batch, true, false, true>({{filters.smooth.weights, filters.edge.weights, filters.point.weights},
-                                                 {out[1], out[2], out[3]},
-                                                 filters.smooth.radius},
-                                                rows, stride_, wide_);
-    across(filters.red_green, rows_of(window, 1, y), out[4]);
-    rows = rows_of(window, 2, y);
-    const Kernel &broad = filters.blue_yellow_wide, &narrow = filters.blue_yellow_narrow;
-    if (broad.radius == narrow.radius)
-      return filter_batch<flip_batch, true, true>({{broad.weights, narrow.weights}, {out[5], out[6]}, broad.radius},
-                                                  rows, stride_, wide_);
-    across(broad, rows, out[5]);
-    across(narrow, rows, out[6]);
-  }
-
-  /// Row i of the batch along, from what has been filtered across.
-  void filter_row(float* const* from, int i, float* const* out) const {
-    const FlipWeights& filters = tile_.filters;
-    const auto in = [&](int kernel) { return from[kernel] + static_cast<std::size_t>(i) * stride_; };
-    along(filters.luminance, in(0), out[0]);
-    along(filters.red_green, in(4), out[1]);
-    along(filters.blue_yellow_wide_along, in(5), out[2]);
-    along(filters.blue_yellow_narrow_along, in(6), out[2], true);
-    filter_along<false, true>({{filters.edge.weights, filters.point.weights}, {out[3], out[5]}, filters.edge.radius},
-                              in(1) + radius_, width_);
-    along(filters.smooth, in(2), out[4]);
-    along(filters.smooth, in(3), out[6]);
-  }
-
-  /// Sections 4.1.3, 4.2 and 4.3 of the paper of 2020, for the filtered rows of both images.
-  void raise_row(int y) {
-    float *const *const a = out_[0], *const *const b = out_[1];
-    compare_colors(a[0], a[1], a[2], b[0], b[1], b[2], parts_[0], width_);
-    compare_features(a[3], a[4], a[5], a[6], b[3], b[4], b[5], b[6], parts_[1], width_);
+  /// Sections 4.1.3, 4.2 and 4.3 of the paper of 2020, for the filtered rows of both images, `place` of the batch.
+  void raise_row(int y, std::size_t place) {
+    const float *a[flip_planes], *b[flip_planes];
+    for (int i = 0; i < flip_planes; ++i) a[i] = out_[0][i] + place, b[i] = out_[1][i] + place;
+    compare_colors(a[0], a[1], a[2], b[0], b[1], b[2], parts_[0], padded_);
+    compare_features(a[3], a[4], a[5], a[6], b[3], b[4], b[5], b[6], parts_[1], padded_);
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(tile_.width);
     float* const map = tile_.map + pixel + static_cast<std::size_t>(tile_.x0);
     if (raise_low(knee_, parts_[0], parts_[1], map, width_)) raise_high(knee_, parts_[0], parts_[1], map, width_);
   }
 
-  static constexpr int kernels = 7;  // across rows
-
   const FlipTile& tile_;
   int radius_, span_;
-  std::size_t stride_;
-  int width_, wide_;
+  int width_, wide_, padded_;  // of the tile; with what is around it; in whole vectors
   Knee knee_;
   Window windows_[flip_exposures_together][2];
-  float *colors_[3], *across_[2 * kernels], *out_[2][7], *parts_[2];
+  float *colors_[3], *opponent_[3], *out_[2][flip_planes], *parts_[2];
 };
 
 }  // namespace

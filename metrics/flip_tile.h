@@ -12,7 +12,7 @@ inline constexpr int flip_tile_width = 256, flip_tile_height = 448;
 /// FlipFilters as plain arrays.
 struct FlipWeights {
   struct Kernel {
-    const float* weights;
+    const float *weights, *whole;  ///< HalfKernel::weights; whole_kernel().
     int radius;
   };
   Kernel luminance, red_green, blue_yellow_wide, blue_yellow_narrow;
@@ -37,23 +37,30 @@ struct FlipTile {
 
 /// Some rows are filtered together, while the cache of the first level has what they share; some exposures go through
 /// the tile together, while that of the second level has their rows.
-inline constexpr int flip_batch = 4, flip_exposures_together = 4;
+inline constexpr int flip_batch = 4, flip_exposures_together = 3;
 
-/// Rows of what goes on in a tile begin at a vector.
-constexpr std::size_t flip_stride(int radius) {
-  return (static_cast<std::size_t>(flip_tile_width) + 2 * static_cast<std::size_t>(radius) + 15) / 16 * 16;
+/// Rows of what has been filtered along, for each image and exposure: luminance, red-green, blue-yellow (wide, narrow),
+/// and smooth, edge and point of luminance.
+inline constexpr int flip_planes = 7;
+
+/// From row to row, floats: not a power of two, so that rows do not drive each other out of the cache.
+inline constexpr std::size_t flip_stride = flip_tile_width + 16;
+/// Rows that reach beyond the tile; filters along may look at one vector more.
+constexpr std::size_t flip_wide_stride(int radius) {
+  return (static_cast<std::size_t>(flip_tile_width) + 2 * static_cast<std::size_t>(radius) + 31) / 16 * 16;
 }
-/// Of opponent colours that the filters of a batch reach.
+/// Rows that the filters of a batch reach.
 constexpr int flip_span(int radius) { return 2 * radius + flip_batch; }
-/// Rows: for each image and exposure three planes; of each image seven that are filtered, and seven for each row of a
-/// batch that are filtered across; three of colours, and two of what the map is made of.
+/// The planes; three colours and three opponent colours of a row; what is filtered across, of both images; and two of
+/// what the map is made of.
 constexpr std::size_t flip_scratch_size(int radius) {
   const auto span = static_cast<std::size_t>(flip_span(radius));
-  return flip_stride(radius) * (2 * flip_exposures_together * 3 * span + 2 * 7 + 2 * 7 * flip_batch + 3 + 2);
+  return flip_stride * (2 * flip_exposures_together * flip_planes * span + 2 * flip_planes * flip_batch + 2) +
+         flip_wide_stride(radius) * 6;
 }
 /// The rows of each plane, twice.
 constexpr std::size_t flip_rows_size(int radius) {
-  return 2 * flip_exposures_together * 3 * 2 * static_cast<std::size_t>(flip_span(radius));
+  return 2 * flip_exposures_together * flip_planes * 2 * static_cast<std::size_t>(flip_span(radius));
 }
 
 /// For the processor that the program runs on. All have the same results.

@@ -16,6 +16,9 @@ struct HalfKernel {
   int radius() const { return static_cast<int>(weights.size()) - 1; }
 };
 
+/// The weights of all places from one end to the other: 2 radius + 1.
+std::vector<float> whole_kernel(const HalfKernel& kernel);
+
 /// exp(-k^2 / (2 sigma^2)) for |k| <= radius, summing up to 1.
 HalfKernel gaussian_kernel(double sigma, int radius);
 

@@ -60,7 +60,7 @@ TEST(RowFilter, SeveralTogetherAreTheSameAsOneByOne) {
     const std::vector<float> values = ramp(count + 12);
     const auto size = static_cast<std::size_t>(count);
     std::vector<std::vector<float>> alone(3, std::vector<float>(size)), together = alone;
-    Filters<3> filters = {{}, {}, 6};
+    Filters<3> filters = {{}, {}, {6, 6, 6}};
     for (std::size_t i = 0; i < 3; ++i) {
       filter_along_row(*kernels[i], values.data() + 6, alone[i].data(), count);
       filters.weights[i] = kernels[i]->weights.data(), filters.out[i] = together[i].data();
@@ -120,6 +120,55 @@ TEST(FastMath, IsAsExactAsItSays) {
   EXPECT_EQ(fast_cbrt(0), 0);
   EXPECT_EQ(fast_pow(0, 0.7f), 0);
   EXPECT_EQ(fast_pow(1, 2.4f), 1);
+}
+
+// Kernels that reach less far than the first one, each alone and together.
+TEST(RowFilter, RadiiMayDiffer) {
+  HalfKernel antisymmetric = gaussian_kernel(2, 6);
+  antisymmetric.is_symmetric = false;
+  const HalfKernel near = gaussian_kernel(1, 3), nearest = gaussian_kernel(1, 1);
+  const HalfKernel* const kernels[] = {&antisymmetric, &near, &nearest};
+  constexpr std::size_t count = 77;
+  const std::vector<float> values = ramp(static_cast<int>(count) + 12);
+  std::vector<std::vector<float>> alone(3, std::vector<float>(count)), together = alone;
+  Filters<3> filters = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    filter_along_row(*kernels[i], values.data() + 6, alone[i].data(), static_cast<int>(count));
+    filters.weights[i] = kernels[i]->weights.data(), filters.out[i] = together[i].data();
+    filters.radii[i] = kernels[i]->radius();
+  }
+  filter_along<false, true, true>(filters, values.data() + 6, static_cast<int>(count));
+  EXPECT_EQ(together, alone);
+}
+
+// Four rows at once beside one at a time: the same sums in another order. Rows are shifted ramps.
+TEST(RowFilter, RowsOfABatchAreThoseOfOneAtATime) {
+  constexpr int batch = 4, columns = filter_lanes;
+  for (const int radius : {1, 2, 9}) {
+    HalfKernel antisymmetric = gaussian_kernel(2, radius);
+    antisymmetric.is_symmetric = false;
+    const HalfKernel symmetric = gaussian_kernel(3, radius);
+    const std::vector<float> wholes[] = {whole_kernel(symmetric), whole_kernel(antisymmetric)};
+    const int height = 2 * radius + batch;
+    const std::vector<float> values = ramp(height * 7 + columns);
+    std::vector<const float*> rows;
+    for (int j = 0; j < height; ++j) rows.push_back(values.data() + j * 7);
+    BatchSums<batch, 1, 2> sums;
+    sums.add({wholes[0].data(), wholes[1].data()}, radius, rows.data(), 0);
+    for (std::size_t i = 0; i < 2; ++i) {
+      std::vector<float> out(std::size_t{batch} * columns), wanted(columns);
+      sums.store(i, out.data(), columns, 0);
+      for (int r = 0; r < batch; ++r) {
+        filter_across_rows(
+            i == 0 ? symmetric : antisymmetric,
+            std::span(rows).subspan(static_cast<std::size_t>(r), 2 * static_cast<std::size_t>(radius) + 1),
+            wanted.data(), columns);
+        for (int x = 0; x < columns; ++x)
+          EXPECT_NEAR(out[static_cast<std::size_t>(r * columns + x)], wanted[static_cast<std::size_t>(x)], 2e-6)
+              << radius << ' ' << i << ' ' << r << ' ' << x;
+      }
+    }
+  }
 }
 
 }  // namespace
