@@ -1,10 +1,14 @@
 #include "metrics/differences.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "metrics/parallel_rows.h"
+#include "metrics/pixel_rows.h"
 
 namespace candil {
 namespace {
@@ -64,6 +68,81 @@ RowSums measure_row(const ImagePair& pair, const PixelSelection& selection, int 
   return sums;
 }
 
+/// Bits of the size of a float: in the order of the sizes.
+std::uint32_t size_bits(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffu; }
+
+/// The error of all pixels of a row; what is the largest, as bits, and how many have any.
+template <int channels>
+std::pair<std::uint32_t, std::size_t> write_errors(const float* __restrict a, const float* __restrict b, int width,
+                                                   float* __restrict error) {
+  std::uint32_t row_largest = 0, different = 0;
+  for (int x = 0; x < width; ++x) {
+    std::uint32_t largest = 0;
+    for (int c = 0; c < channels; ++c)
+      largest = std::max(largest, size_bits(b[x * channels + c] - a[x * channels + c]));
+    error[x] = std::bit_cast<float>(largest);
+    row_largest = std::max(row_largest, largest);
+    different += largest != 0 ? 1 : 0;
+  }
+  return {row_largest, different};
+}
+
+/// As measure_row() for a row that counts as a whole, in a form that compilers vectorise. False: there are values or
+/// differences that are not finite.
+template <int channels>
+bool measure_whole_row(const ImagePair& pair, int y, float* error, RowSums& sums) {
+  const float *a = pair.a.pixel(0, y), *b = pair.b.pixel(0, y);
+  const int width = pair.width();
+  const auto count = static_cast<std::size_t>(width) * channels;
+  if (!is_finite_row(a, count) || !is_finite_row(b, count)) return false;
+  const auto [largest, different] = write_errors<channels>(a, b, width, error);
+  sums.largest = std::bit_cast<float>(largest);
+  if (!std::isfinite(sums.largest)) return false;
+  sums.different_pixels = different;
+  if (different > 0) {
+    sums.largest_y = y;
+    sums.largest_x = static_cast<int>(std::find(error, error + width, sums.largest) - error);
+    const std::size_t at = static_cast<std::size_t>(sums.largest_x) * channels;
+    while (size_bits(b[at + static_cast<std::size_t>(sums.largest_channel)] -
+                     a[at + static_cast<std::size_t>(sums.largest_channel)]) != largest)
+      ++sums.largest_channel;
+  }
+  std::uint32_t peak = 0;
+  for (std::size_t i = 0; i < count; ++i) peak = std::max(peak, size_bits(a[i]));
+  sums.peak = std::bit_cast<float>(peak);
+
+  // Every lane is of one channel.
+  constexpr std::size_t lanes = 12;
+  double deltas[lanes] = {}, sizes[lanes] = {}, squares[lanes] = {}, relatives[lanes] = {};
+  const auto add = [&](std::size_t i, std::size_t lane) {
+    const double delta = b[i] - a[i], square = delta * delta, wanted = a[i];
+    deltas[lane] += delta;
+    sizes[lane] += std::abs(delta);
+    squares[lane] += square;
+    relatives[lane] += square / (wanted * wanted + relative_floor);
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) add(i + lane, lane);
+  for (std::size_t lane = 0; i + lane < count; ++lane) add(i + lane, lane);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    sums.signed_sums[lane % channels] += deltas[lane];
+    sums.absolute += sizes[lane], sums.squared += squares[lane], sums.relative += relatives[lane];
+  }
+  return true;
+}
+
+RowSums measure_any_row(const ImagePair& pair, const PixelSelection& selection, int y, float* error) {
+  const int channels = pair.a.channels;
+  if (selection.is_everything() && (channels == 3 || channels == 4)) {
+    RowSums sums;
+    sums.signed_sums.resize(static_cast<std::size_t>(channels));
+    if (channels == 3 ? measure_whole_row<3>(pair, y, error, sums) : measure_whole_row<4>(pair, y, error, sums))
+      return sums;
+  }
+  return measure_row(pair, selection, y, error);
+}
+
 }  // namespace
 
 double Differences::root_mean_squared() const { return std::sqrt(mean_squared); }
@@ -83,8 +162,8 @@ double Differences::largest_bias() const {
 Differences measure_differences(const ImagePair& pair, const PixelSelection& selection) {
   Differences result;
   result.error = Image(pair.width(), pair.height(), 1);
-  const auto sums = sum_rows<RowSums>(pair.height(),
-                                      [&](int y) { return measure_row(pair, selection, y, result.error.pixel(0, y)); });
+  const auto sums = sum_rows<RowSums>(
+      pair.height(), [&](int y) { return measure_any_row(pair, selection, y, result.error.pixel(0, y)); });
   result.pixels = selection.count();
   result.different_pixels = sums.different_pixels, result.non_finite_pixels = sums.non_finite_pixels;
   result.largest = sums.largest;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "metrics/fast_math.h"
+#include "metrics/filter_block.h"
 #include "metrics/parallel_rows.h"
 #include "metrics/pixel_rows.h"
 #include "metrics/row_filter.h"
@@ -23,13 +24,17 @@ constexpr double sigma = 1.5;
   return linear <= 0.0031308f ? 12.92f * linear : curve;
 }
 
+/// What lumas are measured from: variances do not care, and squares of smaller numbers cancel better.
+constexpr float middle = 0.5f;
+
+/// From the middle.
 void write_luma(const Image& image, ValueKind kind, int y, const std::array<float*, 3>& colors, float* __restrict out) {
   split_colors(image.pixel(0, y), image.channels, image.width, colors);
   const float* const red = colors[0];
   const float* const green = colors[1];
   const float* const blue = colors[2];
   const auto luma = [](float r, float g, float b) {
-    return multiply_add(0.2126f, r, multiply_add(0.7152f, g, 0.0722f * b));
+    return multiply_add(0.2126f, r, multiply_add(0.7152f, g, multiply_add(0.0722f, b, -middle)));
   };
   if (kind == ValueKind::linear)
     for (int x = 0; x < image.width; ++x)
@@ -38,23 +43,27 @@ void write_luma(const Image& image, ValueKind kind, int y, const std::array<floa
     for (int x = 0; x < image.width; ++x) out[x] = luma(unit(red[x]), unit(green[x]), unit(blue[x]));
 }
 
-/// Weighted sums of a, b, a^2, b^2 and ab.
-using Moments = std::array<std::vector<float>, 5>;
+/// Weighted sums of a, b, a^2 + b^2 and ab, all from the middle.
+using Moments = std::array<std::vector<float>, 4>;
 
-/// What is summed up, for the rows around the one under way. Beyond the image there are zeros.
+/// Rows that are filtered together.
+constexpr int batch = 4;
+
+/// What is summed up, for the rows around those under way. Beyond the image there are zeros.
 class Window {
  public:
-  explicit Window(const ImagePair& pair) : pair_(pair), stride_(pair.width() + 2 * radius) {
+  explicit Window(const ImagePair& pair)
+      : pair_(pair), stride_((pair.width() + 2 * radius + filter_lanes - 1) / filter_lanes * filter_lanes) {
     const auto wide = static_cast<std::size_t>(stride_);
     for (std::vector<float>& row : colors_) row.resize(static_cast<std::size_t>(pair.width()));
     for (std::vector<float>& plane : planes_) plane.resize(wide * span);
-    across_.resize(wide);
+    for (std::vector<float>& rows : across_) rows.resize(wide * batch);
     for (std::vector<float>& row : sums_) row.resize(static_cast<std::size_t>(pair.width()));
   }
 
   void push_row(int y) {
     const int width = pair_.width();
-    std::array<float*, 5> rows;
+    std::array<float*, 4> rows;
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = row(i, y) + radius;
     if (y < 0 || y >= pair_.height()) {
       for (float* const values : rows) std::fill_n(values, width, 0.0f);
@@ -63,27 +72,38 @@ class Window {
     const std::array<float*, 3> colors = {colors_[0].data(), colors_[1].data(), colors_[2].data()};
     write_luma(pair_.a, pair_.kind, y, colors, rows[0]);
     write_luma(pair_.b, pair_.kind, y, colors, rows[1]);
-    const auto multiply = [width](const float* a, const float* b, float* __restrict out) {
-      for (int x = 0; x < width; ++x) out[x] = a[x] * b[x];
-    };
-    multiply(rows[0], rows[0], rows[2]);
-    multiply(rows[1], rows[1], rows[3]);
-    multiply(rows[0], rows[1], rows[4]);
+    multiply(rows[0], rows[1], rows[2], rows[3], width);
   }
 
-  /// Rows up to the radius around row y have been pushed.
-  const Moments& filter_row(const HalfKernel& kernel, int y) {
+  /// The rows of a batch from y on; those up to the radius around them have been pushed.
+  void filter_across(const std::vector<float>& whole_kernel, int y) {
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       std::array<const float*, span> rows;
       for (int k = 0; k < span; ++k) rows[static_cast<std::size_t>(k)] = row(i, y + k - radius);
-      filter_across_rows(kernel, rows, across_.data(), stride_);
-      filter_along_row(kernel, across_.data() + radius, sums_[i].data(), pair_.width());
+      for (int x = 0; x < stride_; x += filter_lanes) {
+        BatchSums<batch, 1, 1> sums;
+        sums.add({whole_kernel.data()}, radius, rows.data(), x);
+        sums.store(0, across_[i].data(), static_cast<std::size_t>(stride_), x);
+      }
+    }
+  }
+
+  /// Row `place` of the batch.
+  const Moments& filter_along(const HalfKernel& kernel, int place) {
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const std::size_t start = static_cast<std::size_t>(place) * static_cast<std::size_t>(stride_) + radius;
+      filter_along_row(kernel, across_[i].data() + start, sums_[i].data(), pair_.width());
     }
     return sums_;
   }
 
  private:
-  static constexpr int span = 2 * radius + 1;
+  static constexpr int span = 2 * radius + batch;
+
+  static void multiply(const float* __restrict a, const float* __restrict b, float* __restrict squares,
+                       float* __restrict products, int width) {
+    for (int x = 0; x < width; ++x) squares[x] = a[x] * a[x] + b[x] * b[x], products[x] = a[x] * b[x];
+  }
 
   float* row(std::size_t plane, int y) {
     const int slot = (y + span) % span;  // y is -radius at the least
@@ -94,7 +114,7 @@ class Window {
   int stride_;
   std::array<std::vector<float>, 3> colors_;
   Moments planes_;  // row y in slot y mod span
-  std::vector<float> across_;
+  Moments across_;  // of a batch
   Moments sums_;
 };
 
@@ -115,14 +135,14 @@ void indices(const Moments& moments, const std::vector<float>& scale, float row_
   constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
   const float* const a = moments[0].data();
   const float* const b = moments[1].data();
-  const float* const aa = moments[2].data();
-  const float* const bb = moments[3].data();
-  const float* const ab = moments[4].data();
+  const float* const both = moments[2].data();
+  const float* const ab = moments[3].data();
   for (std::size_t x = 0; x < scale.size(); ++x) {
-    const float s = scale[x] * row_scale, mean_a = a[x] * s, mean_b = b[x] * s;
+    const float s = scale[x] * row_scale, from_a = a[x] * s, from_b = b[x] * s;
+    const float variances = both[x] * s - (from_a * from_a + from_b * from_b);
+    const float covariance = ab[x] * s - from_a * from_b;
+    const float mean_a = from_a + middle, mean_b = from_b + middle;
     const float squares = mean_a * mean_a + mean_b * mean_b, product = mean_a * mean_b;
-    const float variances = (aa[x] * s - mean_a * mean_a) + (bb[x] * s - mean_b * mean_b);
-    const float covariance = ab[x] * s - product;
     out[x] = (2 * product + c1) * (2 * covariance + c2) / ((squares + c1) * (variances + c2));
   }
 }
@@ -145,18 +165,21 @@ Image measure_ssim(const ImagePair& pair) {
   for (float& weight : scale) weight = 1 / weight;
   const std::vector<float> row_weights = weight_sums(kernel, pair.height());
   Image map(pair.width(), pair.height(), 1);
+  const std::vector<float> whole = whole_kernel(kernel);
   // Bands of rows, each on one core; what lies around them is made anew for each.
   constexpr int band = 72;
   for_each_part((pair.height() + band - 1) / band, [&](int i) {
     Window window(pair);
     const int first = i * band, last = std::min(first + band, pair.height());
-    for (int y = first - radius; y < last + radius; ++y) {
-      window.push_row(y);
-      const int done = y - radius;
-      if (done < first) continue;
-      float* const out = map.pixel(0, done);
-      indices(window.filter_row(kernel, done), scale, 1 / row_weights[static_cast<std::size_t>(done)], out);
-      mark_non_finite(pair, done, out);
+    int next = first - radius;
+    for (int start = first; start < last; start += batch) {
+      for (; next < start + batch + radius; ++next) window.push_row(next);
+      window.filter_across(whole, start);
+      for (int y = start; y < std::min(start + batch, last); ++y) {
+        float* const out = map.pixel(0, y);
+        indices(window.filter_along(kernel, y - start), scale, 1 / row_weights[static_cast<std::size_t>(y)], out);
+        mark_non_finite(pair, y, out);
+      }
     }
   });
   return map;

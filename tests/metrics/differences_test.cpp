@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace candil::test {
@@ -39,6 +40,44 @@ TEST(Differences, ClosedForm) {
   // The largest value of A is 4.
   EXPECT_DOUBLE_EQ(d.peak_signal_to_noise(), 10 * std::log10(16 / (1.25 / 6)));
   EXPECT_DOUBLE_EQ(measure_all(a, b, ValueKind::display).peak_signal_to_noise(), 10 * std::log10(1 / (1.25 / 6)));
+}
+
+// Rows that count as a whole go another way than those of a selection; sums of doubles in another order.
+TEST(Differences, OfAllPixelsAreThoseOfASelectionOfAll) {
+  for (const int channels : {3, 4})
+    for (const int width : {1, 5, 29}) {
+      Image a(width, 7, channels), b = a;
+      std::uint32_t state = 1;
+      for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        state = state * 1664525u + 1013904223u;
+        a.pixels[i] = static_cast<float>(state >> 8) / 16777216.0f - 0.3f;
+        b.pixels[i] = i % 5 == 0 ? a.pixels[i] : 1 - a.pixels[i];
+      }
+      b.pixel(0, 3)[channels - 1] = -2;  // the largest, in the last channel
+      a.pixel(width - 1, 6)[1] = std::nanf("");
+      PixelSelection everything(width, 7);
+      everything.keep(std::vector<Region>{{0, 0, width, 7}});
+      const Differences whole = measure_all(a, b), selected = measure_differences({a, b}, everything);
+      EXPECT_EQ(whole.different_pixels, selected.different_pixels);
+      EXPECT_EQ(whole.non_finite_pixels, 1u);
+      EXPECT_EQ(whole.error.pixels, selected.error.pixels);
+      EXPECT_EQ(whole.peak, selected.peak);
+      EXPECT_EQ(whole.largest, infinity);
+      EXPECT_EQ(whole.largest_x, selected.largest_x);
+      EXPECT_EQ(whole.largest_y, selected.largest_y);
+      EXPECT_EQ(whole.largest_channel, selected.largest_channel);
+      a.pixel(width - 1, 6)[1] = 0;
+      const Differences finite = measure_all(a, b), finite_selected = measure_differences({a, b}, everything);
+      EXPECT_EQ(finite.largest, finite_selected.largest);
+      EXPECT_EQ(finite.largest_x, 0);
+      EXPECT_EQ(finite.largest_y, 3);
+      EXPECT_EQ(finite.largest_channel, channels - 1);
+      EXPECT_NEAR(finite.mean_absolute, finite_selected.mean_absolute, 1e-12);
+      EXPECT_NEAR(finite.mean_squared, finite_selected.mean_squared, 1e-12);
+      EXPECT_NEAR(finite.relative_mean_squared, finite_selected.relative_mean_squared, 1e-10);
+      for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
+        EXPECT_NEAR(finite.bias[c], finite_selected.bias[c], 1e-12);
+    }
 }
 
 TEST(Differences, OfEqualImagesAreNone) {
