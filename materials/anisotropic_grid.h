@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/sampler.h"
+#include "core/math.h"
 #include "materials/ggx.h"
 #include "materials/grid_position.h"
 #include "materials/table_rows.h"
@@ -19,8 +19,8 @@ struct AnisotropicRows {
 
   /// Perceptual, of a row.
   static Vec2 roughness(int row) {
-    const float along_y = glm::mix(least_roughness(), 1.0f, grid_coordinate(row / strength_count, roughness_count));
-    return {glm::mix(along_y, 1.0f, grid_coordinate(row % strength_count, strength_count)), along_y};
+    const float along_y = glm::mix(least_roughness(), 1.0f, share(row / strength_count, roughness_count));
+    return {glm::mix(along_y, 1.0f, share(row % strength_count, strength_count)), along_y};
   }
 
   /// The four rows around a pair of roughnesses, with their weights.
@@ -31,8 +31,8 @@ struct AnisotropicRows {
   static Around around(Vec2 alpha) {
     const Vec2 perceptual = glm::sqrt(alpha);
     const float missing = 1 - perceptual.y;
-    const GridPosition r((perceptual.y - least_roughness()) / (1 - least_roughness()), roughness_count);
-    const GridPosition s(missing > 1e-6f ? (perceptual.x - perceptual.y) / missing : 0.0f, strength_count);
+    const GridPosition r(coordinate((perceptual.y - least_roughness()) / (1 - least_roughness())), roughness_count);
+    const GridPosition s(missing > 1e-6f ? coordinate((perceptual.x - perceptual.y) / missing) : 0.0f, strength_count);
     Around result;
     for (int i = 0; i < 4; ++i) {
       const int along_y = i / 2, along_x = i % 2;
@@ -45,18 +45,29 @@ struct AnisotropicRows {
 
  private:
   static float least_roughness() { return std::sqrt(ggx_min_alpha); }
+  /// A little denser towards 0: x^2 / 4 + 3 x / 4, and its inverse.
+  static float share(int index, int count) {
+    const float x = grid_coordinate(index, count);
+    return 0.25f * x * (3 + x);
+  }
+  static float coordinate(float share) { return glm::sqrt(glm::max(2.25f + 4 * share, 0.0f)) - 1.5f; }
 };
 
-/// Mean of `value(h)`, an array of numbers, over facet normals h that are visible from wo.
-template <int sample_count, typename Value>
+/// Mean of `value(h)`, an array of numbers, over facet normals h that are visible from wo: points of a Fibonacci
+/// lattice.
+template <int sample_count, int previous_fibonacci_number, typename Value>
 auto mean_over_facets(Vec3 wo, Vec2 alpha, const Value& value) {
-  static const std::array<Vec2, sample_count> samples = [] {
-    std::array<Vec2, sample_count> all;
-    for (int i = 0; i < sample_count; ++i) all[i] = Sampler({0, 0}, static_cast<std::uint32_t>(i), 0).sample_2d(0);
+  static const std::array<CapSample, sample_count> samples = [] {
+    std::array<CapSample, sample_count> all;
+    for (int i = 0; i < sample_count; ++i) {
+      const int permuted = i * previous_fibonacci_number % sample_count;
+      all[i] = CapSample(
+          Vec2((static_cast<float>(i) + 0.5f) / sample_count, (static_cast<float>(permuted) + 0.5f) / sample_count));
+    }
     return all;
   }();
   decltype(value(wo)) mean{};
-  for (const Vec2 u : samples) {
+  for (const CapSample& u : samples) {
     const auto one = value(sample_ggx_visible(wo, alpha, u));
     for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += one[k] * (1.0f / sample_count);
   }
@@ -67,7 +78,7 @@ auto mean_over_facets(Vec3 wo, Vec2 alpha, const Value& value) {
 /// lie in the plane of x and z: the directions' coordinates are the angle with this plane, and the angle in it. Both
 /// are dense towards grazing directions. Where light would be totally reflected by all such facets, or by none, the
 /// table has a line of points.
-template <int count, int roughness_count = 10, int strength_count = 8>
+template <int count, int roughness_count = 10, int strength_count = 8, int elevation_count = 16>
 class AnisotropicGrid {
  public:
   using Values = std::array<float, count>;
@@ -110,7 +121,7 @@ class AnisotropicGrid {
   }
 
  private:
-  static constexpr int elevation_count = 16, angle_count = 14, cell_count = elevation_count * angle_count;
+  static constexpr int angle_count = 16, cell_count = elevation_count * angle_count;
   static constexpr float share_below = 0.6f;  // of coordinates, of elevations below the critical one
   static constexpr float right_angle = 0.5f * pi;
   using Rows = AnisotropicRows<roughness_count, strength_count>;
@@ -119,7 +130,7 @@ class AnisotropicGrid {
   float elevation_coordinate(float elevation) const {
     if (elevation < critical_) return share_below * (1 - glm::sqrt(1 - elevation / critical_));
     const float above = glm::min((elevation - critical_) / (right_angle - critical_), 1.0f);
-    if (critical_ > 0) return share_below + (1 - share_below) * glm::sqrt(above);
+    if (critical_ > 0) return share_below + (1 - share_below) * std::acos(1 - 2 * above) / pi;
     return 1 - glm::sqrt(1 - above);
   }
   /// The inverse of both.
@@ -129,7 +140,8 @@ class AnisotropicGrid {
     float elevation = right_angle * (1 - sqr(1 - e));
     if (critical_ > 0) {
       elevation = e < share_below ? critical_ * (1 - sqr(1 - e / share_below))
-                                  : critical_ + (right_angle - critical_) * sqr((e - share_below) / (1 - share_below));
+                                  : critical_ + (right_angle - critical_) * 0.5f *
+                                                    (1 - std::cos(pi * (e - share_below) / (1 - share_below)));
     }
     const float in_plane = std::cos(elevation);
     const float z = glm::max(in_plane * std::cos(angle), 1e-3f);  // the limit of grazing incidence
@@ -140,27 +152,33 @@ class AnisotropicGrid {
   std::vector<Values> values_;
 };
 
-/// Means of such functions over the cosine-weighted hemisphere, by roughness.
-template <int count>
+/// Means of such functions over the cosine-weighted hemisphere, by roughness. `has_roots`: they are not negative, and
+/// grow like the fourth power of the roughness; what is interpolated is their fourth roots.
+template <int count, bool has_roots = false>
 class AnisotropicMeans {
  public:
   using Values = std::array<float, count>;
 
-  /// By midpoints in azimuth and squared cosine of `values(alpha, w)`, called in parallel.
+  /// By midpoints of `values(alpha, w)`, called in parallel. They are dense at grazing angles and about the y axis,
+  /// where facets of small roughness lose their light.
   template <typename Function>
   void fill(const Function& values) {
-    constexpr int azimuths = 16, cosines = 48;
+    constexpr int azimuths = 12, cosines = 40;
     means_.resize(Rows::count);
     for_each_row(Rows::count, [&](int row) {
       const Vec2 roughness = Rows::roughness(row);
       Values sum{};
+      float weights = 0;
       for (int i = 0; i < azimuths * cosines; ++i) {
-        const float phi = (static_cast<float>(i / cosines) + 0.5f) / azimuths * (0.5f * pi);
-        const float cos2 = (static_cast<float>(i % cosines) + 0.5f) / cosines, sine = glm::sqrt(1 - cos2);
-        const Values one =
-            values(roughness * roughness, Vec3(sine * std::cos(phi), sine * std::sin(phi), glm::sqrt(cos2)));
-        for (int k = 0; k < count; ++k) sum[k] += one[k] * (1.0f / (azimuths * cosines));
+        const float u = (static_cast<float>(i / cosines) + 0.5f) / azimuths;
+        const float v = (static_cast<float>(i % cosines) + 0.5f) / cosines;
+        const float phi = 0.5f * pi * (1 - sqr(u)), cosine = sqr(v), sine = glm::sqrt(1 - sqr(cosine));
+        const float weight = u * v * cosine;  // d(phi) cosine d(cosine)
+        const Values one = values(roughness * roughness, Vec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
+        for (int k = 0; k < count; ++k) sum[k] += weight * one[k];
+        weights += weight;
       }
+      for (float& mean : sum) mean = has_roots ? glm::sqrt(safe_sqrt(mean / weights)) : mean / weights;
       means_[static_cast<std::size_t>(row)] = sum;
     });
   }
@@ -171,11 +189,14 @@ class AnisotropicMeans {
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < count; ++k) result[k] += rows.weight[i] * means_[rows.row[i]][k];
     }
+    if (has_roots) {
+      for (float& root : result) root = sqr(sqr(root));
+    }
     return result;
   }
 
  private:
-  using Rows = AnisotropicRows<12, 12>;
+  using Rows = AnisotropicRows<24, 24>;
   std::vector<Values> means_;
 };
 

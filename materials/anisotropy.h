@@ -5,7 +5,7 @@
 /// slope, over where the projected roughness lies between the two, and over these, the albedo of what reflects
 /// everything is so smooth that a coarse grid will do. Fresnel's term depends on the direction otherwise, and smoothly:
 /// it is tabulated as a factor, in coordinates of its own (anisotropic_grid.h). A white furnace loses 1 % at most, and
-/// gains 1 % on metal, 1.2 % on coats and glass, the most at grazing angles (tests/materials/anisotropy_test.cpp).
+/// gains 0.5 % (tests/materials/anisotropy_test.cpp).
 #pragma once
 
 #include <memory>
@@ -37,8 +37,8 @@ class AnisotropicAlbedo {
  private:
   explicit AnisotropicAlbedo(bool has_films);
 
-  static constexpr int azimuth_count = 10, slope_count = 20, cell_count = azimuth_count * slope_count;
-  using Rows = AnisotropicRows<12, 12>;
+  static constexpr int azimuth_count = 10, slope_count = 24, cell_count = azimuth_count * slope_count;
+  using Rows = AnisotropicRows<16, 14>;
   struct Nodes {
     AnisotropicGrid<FacetAngles::node_count, 6, 6> shares;  // of the total
     AnisotropicMeans<FacetAngles::node_count> means;
@@ -46,9 +46,9 @@ class AnisotropicAlbedo {
 
   void fill_totals();
 
-  std::vector<float> totals_;     // by row, azimuth, slope
-  AnisotropicGrid<1> bias_;       // as a share of the total
-  AnisotropicMeans<2> averages_;  // total, bias
+  std::vector<float> roots_;            // of what is lost, by row, azimuth, slope
+  AnisotropicGrid<1, 18, 12> bias_;     // as a share of the total, beyond that of a common facet
+  AnisotropicMeans<2, true> averages_;  // lost, bias
   std::unique_ptr<Nodes> nodes_;
 };
 
@@ -56,7 +56,7 @@ class AnisotropicAlbedo {
 class AnisotropicDielectricAlbedo {
  public:
   /// `reflecting` must outlive it.
-  AnisotropicDielectricAlbedo(float ior, bool has_films, const AnisotropicAlbedo& reflecting);
+  AnisotropicDielectricAlbedo(float ior, bool has_films, bool may_be_reshaped, const AnisotropicAlbedo& reflecting);
 
   float directional(Vec2 alpha, Vec3 w, bool from_inside) const {
     return 1 - sides_[from_inside].lost(alpha, w, *reflecting_);
@@ -68,6 +68,15 @@ class AnisotropicDielectricAlbedo {
   FilmedDielectricAlbedo::Nodes average_nodes(Vec2 alpha, bool from_inside) const {
     return sides_[from_inside].nodes->means(alpha);
   }
+  /// Of ReshapedDielectric, what is for facets.
+  Vec2 directional_reshaped(Vec2 alpha, Vec3 w, bool from_inside) const {
+    const auto [by_constant, by_exact] = sides_[from_inside].reshaped->directional(alpha, w);
+    return {by_constant, by_exact};
+  }
+  Vec2 average_reshaped(Vec2 alpha, bool from_inside) const {
+    const auto [by_constant, by_exact] = sides_[from_inside].reshaped->means(alpha);
+    return {by_constant, by_exact};
+  }
   float ior() const { return ior_; }
 
  private:
@@ -75,13 +84,19 @@ class AnisotropicDielectricAlbedo {
     AnisotropicGrid<FilmedDielectricAlbedo::node_count, 6, 6> directional;
     AnisotropicMeans<FilmedDielectricAlbedo::node_count> means;
   };
+  struct Reshaped {
+    AnisotropicGrid<2, 18, 10, 21> directional;
+    AnisotropicMeans<2> means;
+  };
   struct Side {
-    Side(float eta, bool is_inside, bool has_films, const AnisotropicAlbedo& reflecting);
+    Side(float eta, bool has_films, bool may_be_reshaped, const AnisotropicAlbedo& reflecting);
     float lost(Vec2 alpha, Vec3 w, const AnisotropicAlbedo& reflecting) const;
 
-    AnisotropicGrid<2> shares;  // the factor of what is lost if everything is reflected, and what is lost besides
-    AnisotropicMeans<1> mean_lost;
+    AnisotropicGrid<2, 11, 10, 21>
+        shares;  // the factor of what is lost if everything is reflected, and what is lost besides
+    AnisotropicMeans<1, true> mean_lost;
     std::unique_ptr<Nodes> nodes;
+    std::unique_ptr<Reshaped> reshaped;
   };
 
   float ior_;

@@ -18,10 +18,21 @@ std::uint32_t table_of(std::vector<Table>& tables, float ior, const More&... mor
   return place;
 }
 
+bool refracts(const Material& material) {
+  return material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
+}
+
+/// KHR_materials_specular, where it changes what facets keep.
+bool reshapes_reflectance(const Material& material) {
+  return refracts(material) && (material.specular != 1 || material.specular_texture.is_used() ||
+                                material.specular_color != Vec3(1) || material.specular_color_texture.is_used());
+}
+
 /// The same for all indices of refraction that a material shows.
 std::uint32_t graded_table_of(std::vector<GradedDielectricAlbedo>& tables, const Material& material) {
   const float ior = material.ior;
-  DielectricRange range{ior, ior, ior, material.extensions->clearcoat > 0};
+  DielectricRange range{ior, ior, ior, material.extensions && material.extensions->clearcoat > 0,
+                        reshapes_reflectance(material)};
   if (material.is_dispersive()) {
     range.least_ior = dispersed_ior(ior, material.extensions->dispersion, longest_wavelength);
     range.greatest_ior = dispersed_ior(ior, material.extensions->dispersion, shortest_wavelength);
@@ -40,7 +51,9 @@ bool is_used(const Material& material, float MaterialExtensions::*extension) {
 }  // namespace
 
 bool has_extended_facets(const Material& material) {
-  if (material.model != MaterialModel::metallic_roughness || !material.extensions) return false;
+  if (material.model != MaterialModel::metallic_roughness) return false;
+  if (material.roughness > 0 && reshapes_reflectance(material)) return true;
+  if (!material.extensions) return false;
   const MaterialExtensions& more = *material.extensions;
   return more.clearcoat > 0 || !is_black(more.sheen_color) || more.anisotropy > 0 || more.iridescence > 0 ||
          more.diffuse_transmission > 0 || material.is_dispersive() || material.scatters();
@@ -55,6 +68,7 @@ BsdfTables::BsdfTables(const Scene& scene)
   const bool has_films = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
     return is_used(material, &MaterialExtensions::iridescence);
   });
+  const bool may_be_reshaped = std::any_of(scene.materials.begin(), scene.materials.end(), reshapes_reflectance);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
     if (material.model == MaterialModel::conductor) {
@@ -68,9 +82,7 @@ BsdfTables::BsdfTables(const Scene& scene)
     const bool is_iridescent = is_used(material, &MaterialExtensions::iridescence);
     if (is_anisotropic) anisotropic_ggx_ = &AnisotropicAlbedo::shared(has_films);
     if (is_iridescent && !iridescence_) iridescence_ = std::make_unique<Iridescence>();
-    const bool refracts =
-        material.transmission > 0 && material.is_volume() && material.ior != 0 && !is_index_matched(material.ior);
-    if (!refracts) continue;
+    if (!refracts(material)) continue;
     if (is_extended && (material.roughness > 0 || is_anisotropic)) {
       graded_dielectric_of_material_[m] = graded_table_of(graded_dielectrics_, material);
     } else if (material.roughness > 0) {
@@ -78,7 +90,7 @@ BsdfTables::BsdfTables(const Scene& scene)
     }
     if (is_anisotropic) {
       anisotropic_dielectric_of_material_[m] =
-          table_of(anisotropic_dielectrics_, material.ior, has_films, *anisotropic_ggx_);
+          table_of(anisotropic_dielectrics_, material.ior, has_films, may_be_reshaped, *anisotropic_ggx_);
     }
     // Also of an anisotropic material: a texture may take the anisotropy away.
     if (is_iridescent && material.roughness > 0) {

@@ -14,8 +14,8 @@
 
 namespace candil {
 
-/// Whether the material has extensions by which facets become ExtendedFacets: films and anisotropy, and all that has to
-/// know exactly what facets return or leave over.
+/// Whether the material has extensions by which facets become ExtendedFacets: films and anisotropy, rough glass with
+/// KHR_materials_specular, and all that has to know exactly what facets return or leave over.
 bool has_extended_facets(const Material& material);
 
 /// Built from a scene beside it; read by make_bsdf(). Tables of rough dielectrics exist only for the indices of

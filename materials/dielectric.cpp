@@ -37,7 +37,7 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
   has_exact_fresnel_ = f90_ == Vec3(1) && f0_ == Vec3(reflectance_of_ior(p.reflecting_ior));
   is_delta_ = facets_.is_smooth() || (!is_thin_ && !reflects_all_ && is_index_matched(eta_));
   if (is_delta_) return;
-  if (refracts()) add_film();
+  if (refracts()) reshape();
   lost_ = lost_energy(wo, Side::here);
   mean_lost_here_ = mean_lost_energy(Side::here);
   mean_lost_beyond_ = mean_lost_energy(Side::beyond);
@@ -51,17 +51,31 @@ BasicDielectricLobes<Facets>::BasicDielectricLobes(const DielectricParameters& p
   broad_transmission_probability_ = brightness(multiple_transmitted_);
 }
 
+/// A film changes the ends of the curve too: at grazing incidence it reflects everything.
+template <typename Facets>
+void BasicDielectricLobes<Facets>::reshape() {
+  if constexpr (Facets::is_extended) {
+    is_reshaped_ = !has_exact_fresnel_ && facets_.may_be_reshaped();
+    if (is_reshaped_) {
+      const float exact_f0 = sqr((reflecting_eta_ - 1) / (reflecting_eta_ + 1));
+      const float share = facets_.film ? facets_.film.share : 0.0f;
+      const Vec3 f0 = glm::mix(f0_, Vec3(exact_f0), share), f90 = glm::mix(f90_, Vec3(1), share);
+      reshaped_factor_ = (f90 - f0) / (1 - exact_f0);
+      reshaped_constant_ = f0 - exact_f0 * reshaped_factor_;
+    }
+    if (facets_.film) add_film();
+  }
+}
+
 template <typename Facets>
 void BasicDielectricLobes<Facets>::add_film() {
   if constexpr (Facets::is_extended) {
-    if (!facets_.film) return;
     for (int i = 0; i < FilmedDielectricAlbedo::node_count; ++i) {
-      const float in_air = FilmedDielectricAlbedo::cosine(i);
-      const float squared = from_inside_ ? 1 - (1 - sqr(in_air)) * sqr(eta_) : sqr(in_air);
-      if (!(squared > 0)) continue;  // total reflection
-      const float cosine = glm::sqrt(squared);
+      const float in_rarer = FilmedDielectricAlbedo::cosine(i);
+      const float cosine = eta_ < 1 ? glm::sqrt(1 - (1 - sqr(in_rarer)) * sqr(eta_)) : in_rarer;
       film_nodes_[static_cast<std::size_t>(i)] =
-          reflectance_without_coat(cosine) - fresnel_dielectric(cosine, reflecting_eta_);
+          reflectance_without_coat(cosine) -
+          (reshaped_constant_ + reshaped_factor_ * fresnel_dielectric(cosine, reflecting_eta_));
     }
   }
 }
@@ -126,16 +140,29 @@ float BasicDielectricLobes<Facets>::reflection_probability(Vec3 facet_reflectanc
   return transmitted > 0 ? reflected / (reflected + transmitted) : 1.0f;
 }
 
+/// By the curve of reshaped_constant_ and reshaped_factor_, and a coat beyond it. `by_coat`: of what the coat adds to
+/// the exact curve.
+template <typename Facets>
+Vec3 BasicDielectricLobes<Facets>::more_lost(Side side, const ReshapedDielectric& reshaped, float by_coat) const {
+  const Vec3 constant(reshaped_constant_), factor(reshaped_factor_);
+  const Vec3 by_facets = constant * reshaped.by_constant + (factor - 1.0f) * reshaped.by_exact;
+  if (side == Side::beyond) return by_facets;
+  return by_facets - coat_beyond_ * ((1.0f - constant - factor) * reshaped.by_coat + (factor - 1.0f) * by_coat);
+}
+
 template <typename Facets>
 auto BasicDielectricLobes<Facets>::lost_energy(Vec3 w, Side side) const -> Energy {
   const bool is_inside = from_inside_ == (side == Side::here);
   float kept = refracts() ? facets_.dielectric_directional(w, is_inside)
                           : facets_.directional(Vec3(w.x, w.y, std::abs(w.z))).total();
   if constexpr (Facets::is_extended) {
-    if (coat_beyond_ > 0 && side == Side::here && refracts()) kept += coat_beyond_ * facets_.directional_by_coat(w);
-    if (facets_.film && refracts()) {
-      const Vec3 more = weighted_sum(facets_.film_directional(w, is_inside), film_nodes_);
-      return glm::clamp(1 - kept + more, 0.0f, 1.0f);
+    const float by_coat = coat_beyond_ > 0 && side == Side::here && refracts() ? facets_.directional_by_coat(w) : 0.0f;
+    kept += coat_beyond_ * by_coat;
+    if (is_reshaped_ || (facets_.film && refracts())) {
+      Vec3 lost(1 - kept);
+      if (is_reshaped_) lost += more_lost(side, facets_.directional_reshaped(w, is_inside), by_coat);
+      if (facets_.film) lost += weighted_sum(facets_.film_directional(w, is_inside), film_nodes_);
+      return glm::clamp(lost, 0.0f, 1.0f);
     }
   }
   return Energy(glm::max(0.0f, 1 - kept));
@@ -147,9 +174,13 @@ auto BasicDielectricLobes<Facets>::mean_lost_energy(Side side) const -> Energy {
   const bool is_inside = from_inside_ == (side == Side::here);
   float kept = refracts() ? facets_.dielectric_average(is_inside) : facets_.average().total();
   if constexpr (Facets::is_extended) {
-    if (coat_beyond_ > 0 && side == Side::here && refracts()) kept += coat_beyond_ * facets_.average_by_coat();
-    if (facets_.film && refracts()) {
-      return glm::max(1 - kept + weighted_sum(facets_.film_average(is_inside), film_nodes_), 1e-6f);
+    const float by_coat = coat_beyond_ > 0 && side == Side::here && refracts() ? facets_.average_by_coat() : 0.0f;
+    kept += coat_beyond_ * by_coat;
+    if (is_reshaped_ || (facets_.film && refracts())) {
+      Vec3 lost(1 - kept);
+      if (is_reshaped_) lost += more_lost(side, facets_.average_reshaped(is_inside), by_coat);
+      if (facets_.film) lost += weighted_sum(facets_.film_average(is_inside), film_nodes_);
+      return glm::max(lost, 1e-6f);
     }
   }
   return Energy(glm::max(1e-6f, 1 - kept));

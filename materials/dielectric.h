@@ -6,10 +6,11 @@
 /// KHR_materials_specular reshapes the reflectance between its f0 and f90; without it the exact curve stands. Energy
 /// lost between facets comes back as diffuse-like lobes on both sides, split so that the closure stays reciprocal
 /// (Kulla and Conty 2017, dielectrics); its tables are those of the exact curve, for each wavelength and with a coat
-/// beyond it, and of what a thin film changes (FilmedDielectricAlbedo), but not of KHR_materials_specular: such a rough
-/// volume may be off by up to 6 %. Seen from inside, a clear coat lies beyond the interface, and each facet gets
-/// Fresnel's reflectance of both, as if the coat were smooth and parallel to the facet: what a coat does not let in by
-/// one way it does not let out by the same. Local frame: z is the shading normal, wo.z > 0; wi.z < 0 is transmission.
+/// beyond it, of what KHR_materials_specular changes (ReshapedDielectric: extended facets only, and all materials with
+/// it have these), and of what a thin film changes (FilmedDielectricAlbedo). Seen from inside, a clear coat lies beyond
+/// the interface, and each facet gets Fresnel's reflectance of both, as if the coat were smooth and parallel to the
+/// facet: what a coat does not let in by one way it does not let out by the same. Local frame: z is the shading normal,
+/// wo.z > 0; wi.z < 0 is transmission.
 #pragma once
 
 #include <array>
@@ -63,8 +64,10 @@ class BasicDielectricLobes {
   Vec3 mean_reflectance() const;
   /// Probability of following the reflected ray at a facet, given its reflectance.
   float reflection_probability(Vec3 facet_reflectance) const;
+  Vec3 more_lost(Side side, const ReshapedDielectric& reshaped, float by_coat) const;
   Energy lost_energy(Vec3 w, Side side) const;
   Energy mean_lost_energy(Side side) const;
+  void reshape();
   void add_film();
   BsdfEval eval_facets(Vec3 wo, Vec3 wi) const;
   BsdfEval eval_multiple(Vec3 wi) const;
@@ -81,6 +84,9 @@ class BasicDielectricLobes {
   Energy mean_lost_here_{1.0f}, mean_lost_beyond_{1.0f};
   Energy multiple_transmitted_{0.0f};                                 // share of the lost energy that goes beyond
   float broad_probability_ = 0, broad_transmission_probability_ = 0;  // of its lobes; beyond given that
+  // What the tables do not know of a reflectance that is not Fresnel's F: constant + factor F, and the film.
+  bool is_reshaped_ = false;
+  Energy reshaped_constant_{0.0f}, reshaped_factor_{1.0f};
   struct NoFilm {};
   using FilmNodes =
       std::conditional_t<Facets::is_extended, std::array<Vec3, FilmedDielectricAlbedo::node_count>, NoFilm>;

@@ -22,6 +22,14 @@ float refracted_share(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
   return wi.z < 0 ? ggx_masking_shadowing(wo, wi, alpha) / ggx_masking(wo, alpha) : 0.0f;
 }
 
+/// How much less energy comes of what the facet reflects instead of refracting it; 0 where all is reflected anyway.
+template <typename Alpha>
+float less_kept_by_reflecting(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
+  const float cosine = glm::dot(wo, h);
+  if (!(cosine > 0 && 1 - (1 - sqr(cosine)) / sqr(eta) > 0)) return 0;
+  return refracted_share(wo, h, alpha, eta) - reflected_share(wo, h, alpha);
+}
+
 /// A smooth dielectric facet; eta is the index beyond it over the one before it. Reflectance may follow from another.
 template <typename Alpha>
 float dielectric_energy(Vec3 wo, Vec3 h, Alpha alpha, float eta, float reflecting_eta) {

@@ -76,6 +76,24 @@ struct ExtendedFacets {
     return dielectric->directional(ior, projected_roughness(w), glm::abs(w.z), true).by_coat;
   }
   float average_by_coat() const { return dielectric->average(ior, projected_roughness(Vec3(1, 1, 0)), true).by_coat; }
+  /// Of both at once, where facets reflect otherwise than by Fresnel's equations.
+  ReshapedDielectric directional_reshaped(Vec3 w, bool from_inside) const {
+    ReshapedDielectric all = dielectric->directional_reshaped(ior, projected_roughness(w), glm::abs(w.z), from_inside);
+    if (anisotropic_dielectric) {
+      const Vec2 exact = anisotropic_dielectric->directional_reshaped(alpha, w, from_inside);
+      all.by_constant = exact.x, all.by_exact = exact.y;
+    }
+    return all;
+  }
+  ReshapedDielectric average_reshaped(bool from_inside) const {
+    ReshapedDielectric all = dielectric->average_reshaped(ior, projected_roughness(Vec3(1, 1, 0)), from_inside);
+    if (anisotropic_dielectric) {
+      const Vec2 exact = anisotropic_dielectric->average_reshaped(alpha, from_inside);
+      all.by_constant = exact.x, all.by_exact = exact.y;
+    }
+    return all;
+  }
+  bool may_be_reshaped() const { return dielectric && dielectric->range().may_be_reshaped; }
   bool has_dielectric_table() const { return dielectric != nullptr; }
   /// What facets lose, and so what they return of it, falls with the square of the cosine from about `alpha` on. Chosen
   /// by the cosine alone, the light of nearly smooth surfaces would be found as rarely as it is bright; the logarithm

@@ -67,16 +67,29 @@ inline GgxReflection ggx_reflection(Vec3 wo, Vec3 wi, Alpha alpha) {
   return {glm::dot(wo, h), density * ggx_masking_shadowing(wo, wi, alpha), density * ggx_masking(wo, alpha)};
 }
 
+/// A place on a spherical cap, of whatever height.
+struct CapSample {
+  Vec2 azimuth;  ///< Cosine and sine.
+  float height;  ///< In (0, 1].
+
+  CapSample() = default;
+  explicit CapSample(Vec2 u) : azimuth(std::cos(2 * pi * u.x), std::sin(2 * pi * u.x)), height(1 - u.y) {}
+};
+
 /// A facet normal as seen from wo (wo.z > 0), with density G1(wo) D(h) max(0, wo.h) / wo.z per steradian (Dupuy and
 /// Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps").
 template <typename Alpha>
-inline Vec3 sample_ggx_visible(Vec3 wo, Alpha alpha, Vec2 u) {
+inline Vec3 sample_ggx_visible(Vec3 wo, Alpha alpha, const CapSample& u) {
   const Vec2 stretch(alpha);
   const Vec3 stretched = glm::normalize(Vec3(stretch.x * wo.x, stretch.y * wo.y, wo.z));
-  const float z = (1 - u.y) * (1 + stretched.z) - stretched.z;
-  const float radius = safe_sqrt(1 - sqr(z)), phi = 2 * pi * u.x;
-  const Vec3 h = Vec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
+  const float z = u.height * (1 + stretched.z) - stretched.z;
+  const float radius = safe_sqrt(1 - sqr(z));
+  const Vec3 h = Vec3(radius * u.azimuth.x, radius * u.azimuth.y, z) + stretched;
   return glm::normalize(Vec3(stretch.x * h.x, stretch.y * h.y, glm::max(1e-9f, h.z)));
+}
+template <typename Alpha>
+inline Vec3 sample_ggx_visible(Vec3 wo, Alpha alpha, Vec2 u) {
+  return sample_ggx_visible(wo, alpha, CapSample(u));
 }
 
 /// wo mirrored at such a facet; may point below the surface. Its density is GgxReflection::pdf.

@@ -29,31 +29,32 @@ auto integrate(float roughness, float cosine, const Value& value) {
   return sum * (1.0f / sample_count);
 }
 
-/// 2 * integral of mu * row(mu), exactly for the linear interpolant of the row.
+/// 2 * integral of mu * row(mu), exactly for the interpolant of the row.
 float cosine_weighted_mean(const std::array<float, cosine_count>& row) {
-  constexpr float step = 1.0f / (cosine_count - 1);
   float sum = 0;
   for (int i = 0; i + 1 < cosine_count; ++i) {
-    const float left = grid_coordinate(i, cosine_count), right = grid_coordinate(i + 1, cosine_count);
-    sum += step / 6 * (row[i] * (2 * left + right) + row[i + 1] * (left + 2 * right));
+    sum += cosine_weighted_integral(grid_coordinate(i, cosine_count), grid_coordinate(i + 1, cosine_count), row[i],
+                                    row[i + 1]);
   }
-  return 2 * sum;
+  return sum;
 }
 
 template <typename Function>
 void for_each_cell(const Function& function) {
   for_each_row(roughness_count, [&](int r) {
     for (int c = 0; c < cosine_count; ++c) {
-      function(r, c, grid_coordinate(r, roughness_count), grid_coordinate(c, cosine_count));
+      function(r, c, sqr(grid_coordinate(r, roughness_count)), sqr(grid_coordinate(c, cosine_count)));
     }
   });
 }
 
 }  // namespace
 
-float AlbedoGrid::lookup(float roughness, float cosine) const {
-  const GridPosition r(roughness, roughness_count), c(cosine, cosine_count);
-  const auto row = [&](int index) { return glm::mix(values[index][c.index], values[index][c.index + 1], c.fraction); };
+float AlbedoGrid::lookup(const Position& position) const {
+  const auto& [r, c] = position;
+  const auto row = [&, column = c](int index) {
+    return glm::mix(values[index][column.index], values[index][column.index + 1], column.fraction);
+  };
   return glm::mix(row(r.index), row(r.index + 1), r.fraction);
 }
 
@@ -77,7 +78,7 @@ GgxAlbedo::GgxAlbedo() {
 }
 
 GgxAlbedo::Split GgxAlbedo::average(float roughness) const {
-  const GridPosition r(roughness, roughness_count);
+  const GridPosition r = AlbedoGrid::roughness_position(roughness);
   const Split &low = average_[r.index], &high = average_[r.index + 1];
   return {glm::mix(low.scale, high.scale, r.fraction), glm::mix(low.bias, high.bias, r.fraction)};
 }
@@ -102,13 +103,14 @@ FacetAngles::FacetAngles() {
 }
 
 FacetAngles::Nodes FacetAngles::directional(float roughness, float cosine) const {
+  const AlbedoGrid::Position position(roughness, cosine);
   Nodes nodes;
-  for (int node = 0; node < node_count; ++node) nodes[node] = grids_[node].lookup(roughness, cosine);
+  for (int node = 0; node < node_count; ++node) nodes[node] = grids_[node].lookup(position);
   return nodes;
 }
 
 FacetAngles::Nodes FacetAngles::average(float roughness) const {
-  const GridPosition r(roughness, roughness_count);
+  const GridPosition r = AlbedoGrid::roughness_position(roughness);
   Nodes nodes;
   for (int node = 0; node < node_count; ++node) {
     nodes[node] = glm::mix(averages_[node][r.index], averages_[node][r.index + 1], r.fraction);
@@ -129,24 +131,23 @@ DielectricAlbedo::DielectricAlbedo(float ior) : ior_(ior) {
 }
 
 float DielectricAlbedo::average(float roughness, bool from_inside) const {
-  const GridPosition r(roughness, roughness_count);
+  const GridPosition r = AlbedoGrid::roughness_position(roughness);
   return glm::mix(averages_[from_inside][r.index], averages_[from_inside][r.index + 1], r.fraction);
 }
 
 template <typename Alpha>
-FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta,
-                                                               bool from_inside) {
+FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
   Nodes nodes{};
   const float cosine = glm::dot(wo, h), beyond2 = 1 - (1 - sqr(cosine)) / sqr(eta);
   if (!(cosine > 0 && beyond2 > 0)) return nodes;  // total reflection, whatever the film
   const float less_kept = refracted_share(wo, h, alpha, eta) - reflected_share(wo, h, alpha);
-  const float position = (from_inside ? glm::sqrt(beyond2) : cosine) * node_count - 1;
+  const float position = (eta < 1 ? glm::sqrt(beyond2) : cosine) * node_count - 1;
   for (int node = 0; node < node_count; ++node) {
     nodes[node] = less_kept * glm::max(0.0f, 1 - glm::abs(position - static_cast<float>(node)));
   }
   return nodes;
 }
-template FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3, Vec3, Vec2, float, bool);
+template FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3, Vec3, Vec2, float);
 
 FilmedDielectricAlbedo::FilmedDielectricAlbedo(float ior) : ior_(ior) {
   for (const bool inside : {false, true}) {
@@ -154,7 +155,7 @@ FilmedDielectricAlbedo::FilmedDielectricAlbedo(float ior) : ior_(ior) {
       using Sums = glm::mat2x4;  // eight numbers that can be added up
       static_assert(node_count == 8);
       const Sums sums = integrate(roughness, cosine, [&](Vec3 wo, Vec3 h, float alpha) {
-        const Nodes nodes = of_facet(wo, h, alpha, inside ? 1 / ior : ior, inside);
+        const Nodes nodes = of_facet(wo, h, alpha, inside ? 1 / ior : ior);
         Sums all;
         for (int node = 0; node < node_count; ++node) all[node / 4][node % 4] = nodes[node];
         return all;
@@ -171,13 +172,14 @@ FilmedDielectricAlbedo::FilmedDielectricAlbedo(float ior) : ior_(ior) {
 
 FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::directional(float roughness, float cosine,
                                                                   bool from_inside) const {
+  const AlbedoGrid::Position position(roughness, cosine);
   Nodes nodes;
-  for (int node = 0; node < node_count; ++node) nodes[node] = sides_[from_inside][node].lookup(roughness, cosine);
+  for (int node = 0; node < node_count; ++node) nodes[node] = sides_[from_inside][node].lookup(position);
   return nodes;
 }
 
 FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::average(float roughness, bool from_inside) const {
-  const GridPosition r(roughness, roughness_count);
+  const GridPosition r = AlbedoGrid::roughness_position(roughness);
   Nodes nodes;
   for (int node = 0; node < node_count; ++node) {
     const auto& averages = averages_[from_inside][node];

@@ -7,15 +7,25 @@
 #include <cmath>
 
 #include "core/math.h"
+#include "materials/grid_position.h"
 
 namespace candil {
 
-/// Values over roughness in [0, 1] and the cosine in [0, 1], linearly interpolated.
+/// Values over roughness in [0, 1] and the cosine in [0, 1], linear in their square roots: at grazing angles an albedo
+/// changes within a cosine of the squared roughness.
 struct AlbedoGrid {
   static constexpr int roughness_count = 32, cosine_count = 32;
   std::array<std::array<float, cosine_count>, roughness_count> values{};
 
-  float lookup(float roughness, float cosine) const;
+  static GridPosition roughness_position(float roughness) { return {root(roughness), roughness_count}; }
+  struct Position {
+    GridPosition roughness, cosine;
+    Position(float r, float c) : roughness(roughness_position(r)), cosine(root(c), cosine_count) {}
+  };
+  float lookup(const Position& position) const;
+
+ private:
+  static float root(float x) { return glm::sqrt(glm::max(x, 0.0f)); }
 };
 
 /// A reflecting GGX interface under Schlick's Fresnel term: single-scattering albedo = f0 scale + f90 bias.
@@ -31,7 +41,8 @@ class GgxAlbedo {
   };
   /// Directional albedo for a direction with that cosine.
   Split directional(float roughness, float cosine) const {
-    return {scale_.lookup(roughness, cosine), bias_.lookup(roughness, cosine)};
+    const AlbedoGrid::Position position(roughness, cosine);
+    return {scale_.lookup(position), bias_.lookup(position)};
   }
   /// Its mean over the cosine-weighted hemisphere.
   Split average(float roughness) const;
@@ -77,7 +88,7 @@ class DielectricAlbedo {
 
   /// `from_inside`: the direction is behind the front, in the medium.
   float directional(float roughness, float cosine, bool from_inside) const {
-    return sides_[from_inside].lookup(roughness, cosine);
+    return sides_[from_inside].lookup({roughness, cosine});
   }
   float average(float roughness, bool from_inside) const;
   float ior() const { return ior_; }
@@ -89,8 +100,9 @@ class DielectricAlbedo {
 };
 
 /// What DielectricAlbedo changes by where facets have another reflectance than Fresnel's. The difference is
-/// interpolated linearly between nodes, cosines in air from 0, where it is 0, to 1; both sides of a facet have the same
-/// reflectance at angles that refraction makes correspond. This tells how much less energy returns by a greater
+/// interpolated linearly between nodes, cosines from 0, where it is 0, to 1 in the medium of the lesser index: in the
+/// other one, light beyond the critical angle is reflected anyway. Both sides of a facet have the same reflectance at
+/// angles that refraction makes correspond. This tells how much less energy returns by a greater
 /// reflectance near each node: facets hide what they reflect and what they refract from each other in different
 /// measure.
 class FilmedDielectricAlbedo {
@@ -100,7 +112,7 @@ class FilmedDielectricAlbedo {
   static float cosine(int node) { return static_cast<float>(node + 1) / node_count; }
   /// Of a facet h that is visible from wo. `eta`: index beyond it over the one before it.
   template <typename Alpha>
-  static Nodes of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta, bool from_inside);
+  static Nodes of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta);
 
   explicit FilmedDielectricAlbedo(float ior);
 

@@ -23,16 +23,6 @@ const std::array<Vec2, sample_count> facet_samples = [] {
   return samples;
 }();
 
-/// Integral of 2 c dc times a function that is linear in the root of c, from `left` at root a to `right` at root b.
-template <typename Value>
-Value cosine_weighted_integral(float a, float b, Value left, Value right) {
-  // 2 c dc = 4 t^3 dt with t the root.
-  const float a4 = sqr(sqr(a)), b4 = sqr(sqr(b));
-  const float whole = b4 - a4;
-  const float weight_right = (0.8f * (b4 * b - a4 * a) - a * whole) / (b - a);
-  return (whole - weight_right) * left + weight_right * right;
-}
-
 /// Energy of a facet seen from inside, where the coat adds to what it reflects and takes from what it transmits.
 float energy_by_coat(Vec3 wo, Vec3 h, float alpha, float eta) {
   const float cosine = glm::dot(wo, h);
@@ -45,6 +35,15 @@ float energy_by_coat(Vec3 wo, Vec3 h, float alpha, float eta) {
   if (reflected.z > 0) difference += ggx_masking_shadowing(wo, reflected, alpha) / masking;
   if (refracted.z < 0) difference -= ggx_masking_shadowing(wo, refracted, alpha) / masking;
   return (1 - reflectance) * clearcoat_reflectance(-glm::dot(refracted, h)) * difference;
+}
+
+/// A column of ReshapedDielectric by one facet. Reflectance follows from another eta.
+Vec3 reshaped_by_facet(Vec3 wo, Vec3 h, float alpha, float eta, float reflecting_eta, bool has_coat_beyond) {
+  const float cosine = glm::dot(wo, h), less_kept = less_kept_by_reflecting(wo, h, alpha, eta);
+  if (less_kept == 0) return Vec3(0);
+  const float by_coat =
+      has_coat_beyond ? -less_kept * clearcoat_reflectance(safe_sqrt(1 - (1 - sqr(cosine)) / sqr(eta))) : 0.0f;
+  return {less_kept, less_kept * fresnel_dielectric(cosine, reflecting_eta), by_coat};
 }
 
 /// Indices of refraction from the least to the greatest whose albedos are linear in between: within 0.1 %.
@@ -89,13 +88,20 @@ GradedGgxAlbedo::GradedGgxAlbedo() {
 }
 
 GradedDielectricAlbedo::GradedDielectricAlbedo(const DielectricRange& range)
-    : range_(range), grids_(ior_count(range.least_ior, range.greatest_ior)) {
+    : range_(range),
+      grids_(ior_count(range.least_ior, range.greatest_ior)),
+      reshaped_(range.may_be_reshaped ? grids_.size() : 0) {
   for (std::size_t i = 0; i < grids_.size(); ++i) {
     const float fraction = grids_.size() > 1 ? static_cast<float>(i) / static_cast<float>(grids_.size() - 1) : 0.0f;
     const float ior = glm::mix(range.least_ior, range.greatest_ior, fraction);
     grids_[i].fill([ior, &range](Vec3 wo, Vec3 h, float alpha) {
       return Vec3(dielectric_energy(wo, h, alpha, ior, range.mean_ior), dielectric_energy(wo, h, alpha, 1 / ior),
                   range.may_be_coated ? energy_by_coat(wo, h, alpha, 1 / ior) : 0.0f);
+    });
+    if (!range.may_be_reshaped) continue;
+    reshaped_[i].fill([ior, &range](Vec3 wo, Vec3 h, float alpha) {
+      return glm::mat2x3(reshaped_by_facet(wo, h, alpha, ior, range.mean_ior, false),
+                         reshaped_by_facet(wo, h, alpha, 1 / ior, 1 / ior, range.may_be_coated));
     });
   }
 }

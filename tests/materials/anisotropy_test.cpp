@@ -33,8 +33,8 @@ Vec3 direction(float degrees, float azimuth) {
 class BrushedBench {
  public:
   explicit BrushedBench(const Material& material) {
-    for (const float roughness : {0.0f, 0.05f, 0.15f, 0.45f, 0.95f}) {
-      for (const float strength : {0.3f, 0.75f, 1.0f}) {
+    for (const float roughness : {0.0f, 0.05f, 0.12f, 0.27f, 0.45f, 0.7f, 0.95f}) {
+      for (const float strength : {0.15f, 0.35f, 0.57f, 0.75f, 0.9f, 1.0f}) {
         Material m = material;
         m.roughness = roughness;
         if (!m.extensions) m.extensions.emplace();
@@ -45,21 +45,21 @@ class BrushedBench {
     tables_.emplace(scene_);
   }
 
-  /// Energy that leaves for radiance 1 from everywhere, at those angles and all azimuths. The bounds are what was
-  /// measured: tables that are linear between their points make up to 1.2 % too much.
-  void expect_furnace(std::initializer_list<float> angles, float least, float most) const {
+  /// White furnace at those angles and several azimuths: within 1 %, and half of that above.
+  void expect_furnace(std::initializer_list<float> angles, std::uint32_t samples = 4096, float most = 1.005f) const {
     SurfacePoint point;
     point.normal_geometric = point.normal = Vec3(0, 0, 1);
     for (point.material = 0; point.material < scene_.materials.size(); ++point.material) {
-      for (const float azimuth : {0.0f, 40.0f, 90.0f}) {
+      for (const float azimuth : {0.0f, 20.0f, 55.0f, 75.0f, 90.0f}) {
         for (const float degrees : angles) {
-          const Vec3 energy = furnace(point, direction(degrees, azimuth));
+          const Vec3 wo = direction(degrees, azimuth);
+          const Vec3 energy = furnace(make_bsdf(scene_, *tables_, point, wo), wo, samples);
           const Material& m = scene_.materials[point.material];
           const auto place = [&] {
             return testing::Message() << "roughness " << m.roughness << " strength " << m.extensions->anisotropy
                                       << " azimuth " << azimuth << " at " << degrees << " degrees";
           };
-          EXPECT_GE(min_component(energy), least) << place();
+          EXPECT_GE(min_component(energy), 0.99f) << place();
           EXPECT_LE(max_component(energy), most) << place();
         }
       }
@@ -68,18 +68,6 @@ class BrushedBench {
 
  private:
   static float min_component(Vec3 v) { return glm::min(v.x, glm::min(v.y, v.z)); }
-
-  Vec3 furnace(const SurfacePoint& point, Vec3 wo) const {
-    constexpr std::uint32_t samples = 16384;
-    const Bsdf bsdf = make_bsdf(scene_, *tables_, point, wo);
-    glm::dvec3 sum(0);
-    for (std::uint32_t i = 0; i < samples; ++i) {
-      const Sampler s({3, 5}, i, 11);
-      const auto sample = bsdf.sample(wo, s.sample_2d(0).x, s.sample_2d(1));
-      if (sample) sum += glm::dvec3(sample->weight * sqr(sample->eta));
-    }
-    return Vec3(sum / static_cast<double>(samples));
-  }
 
   Scene scene_;
   std::optional<BsdfTables> tables_;
@@ -100,29 +88,42 @@ Material filmed(Material m) {
   return m;
 }
 
-constexpr std::initializer_list<float> front = {0.0f, 45.0f, 80.0f, 87.0f};
-constexpr std::initializer_list<float> both_sides = {0.0f, 45.0f, 85.0f, 95.0f, 140.0f, 165.0f};
+constexpr std::initializer_list<float> front = {0.0f, 45.0f, 70.0f, 80.0f, 87.0f, 89.0f};
+constexpr std::initializer_list<float> both_sides = {0.0f,  45.0f,  85.0f,  89.0f,  91.0f,
+                                                     95.0f, 105.0f, 130.0f, 140.0f, 165.0f};
 
-TEST(Anisotropy, WhiteMetalKeepsAllEnergy) { BrushedBench(Material{}).expect_furnace(front, 0.99f, 1.01f); }
+/// Of colours there are more samples, and fewer angles: facets are chosen by brightness, and each channel is noisier.
+constexpr std::uint32_t coloured = 12288;
+constexpr std::initializer_list<float> some_of_both_sides = {0.0f, 80.0f, 89.0f, 91.0f, 105.0f, 140.0f};
+
+TEST(Anisotropy, WhiteMetalKeepsAllEnergy) { BrushedBench(Material{}).expect_furnace(front); }
 
 TEST(Anisotropy, WhitePlasticKeepsAllEnergy) {
   Material plastic;
   plastic.metallic = 0;
-  BrushedBench(plastic).expect_furnace(front, 0.99f, 1.013f);
+  BrushedBench(plastic).expect_furnace(front);
 }
 
 TEST(Anisotropy, ThinSheetKeepsAllEnergy) {
   Material sheet;
   sheet.metallic = 0, sheet.transmission = 1;
-  BrushedBench(sheet).expect_furnace(both_sides, 0.99f, 1.009f);
+  BrushedBench(sheet).expect_furnace(front);
 }
 
-TEST(Anisotropy, GlassKeepsAllEnergy) { BrushedBench(glass(1.5f)).expect_furnace(both_sides, 0.99f, 1.012f); }
+TEST(Anisotropy, GlassKeepsAllEnergy) { BrushedBench(glass(1.5f)).expect_furnace(both_sides); }
 
-TEST(Anisotropy, DiamondKeepsAllEnergy) { BrushedBench(glass(2.42f)).expect_furnace(both_sides, 0.99f, 1.0105f); }
+TEST(Anisotropy, DiamondKeepsAllEnergy) { BrushedBench(glass(2.42f)).expect_furnace(both_sides); }
 
 TEST(Anisotropy, FilmedGlassKeepsAllEnergy) {
-  BrushedBench(filmed(glass(1.5f))).expect_furnace(both_sides, 0.988f, 1.0115f);
+  BrushedBench(filmed(glass(1.5f))).expect_furnace(some_of_both_sides, coloured);
+}
+
+TEST(Anisotropy, GlassOfColouredSpecularKeepsAllEnergy) {
+  Material m = glass(1.5f);
+  m.specular = 0.7f;
+  m.specular_color = Vec3(4, 1.5f, 0.2f);
+  // Measured 1.00502: two tables are interpolated.
+  BrushedBench(m).expect_furnace(some_of_both_sides, coloured, 1.006f);
 }
 
 // The extension's formula, by hand: along the tangent 0.3^2 grows by 0.6^2 of what is missing to 1, 0.09 + 0.36 x 0.91.

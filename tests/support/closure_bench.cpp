@@ -2,12 +2,20 @@
 
 #include <cmath>
 
+#include "core/sampler.h"
+
 namespace candil::test {
 namespace {
 
 Scene scene_of(const Material& material) {
   Scene scene;
   scene.materials = {material};
+  return scene;
+}
+
+Scene scene_of(const std::vector<NamedMaterial>& materials) {
+  Scene scene;
+  for (const NamedMaterial& named : materials) scene.materials.push_back(named.material);
   return scene;
 }
 
@@ -84,6 +92,13 @@ Material with(Material m, void (*change)(Material&)) {
   return m;
 }
 
+/// KHR_materials_specular: weaker at grazing incidence, stronger than Fresnel's reflectance in red and weaker in blue.
+Material coloured_specular(Material m) {
+  m.specular = 0.7f;
+  m.specular_color = Vec3(4, 1.5f, 0.2f);
+  return m;
+}
+
 Material coated(Material m, float weight, float roughness) {
   if (!m.extensions) m.extensions.emplace();
   m.extensions->clearcoat = weight;
@@ -104,6 +119,7 @@ std::vector<NamedMaterial> coated_materials(float r) {
       {"coated_glass", coated(glass(0, 1.5f), 1, r), true, false},
       {"coated_rough_glass", coated(glass(0.4f, 1.5f), 1, r), true, false},
       {"coated_sheet", coated(sheet(0), 1, r), true, false},
+      {"coated_specular_glass", coated(coloured_specular(glass(0.4f, 1.5f)), 1, r), true, false},
       {"coated_translucent", coated(translucent(0.4f, 0.5f), 1, r), true, false},
       {"smooth_coat_on_translucent", coated(translucent(r, 0.5f), 1, 0), true, false},
       {"smooth_coat_on_glass", coated(glass(r, 1.5f), 1, 0), true, false},
@@ -174,7 +190,9 @@ std::vector<NamedMaterial> plain_materials(float r) {
       {"glass", glass(r, 1.5f), true},
       {"diamond", glass(r, 2.42f), true},
       {"tinted_glass", with(glass(r, 1.33f), [](Material& m) { m.base_color = Vec4(0.3f, 0.9f, 0.5f, 1); })},
-      {"weak_specular_glass", with(glass(r, 1.5f), [](Material& m) { m.specular = 0.3f; })},
+      {"weak_specular_glass", with(glass(r, 1.5f), [](Material& m) { m.specular = 0.3f; }), true},
+      {"coloured_specular_glass", coloured_specular(glass(r, 1.5f)), true},
+      {"coloured_specular_bubble", coloured_specular(glass(r, 1 / 1.5f)), true},
       {"sheet", sheet(r), true},
       {"tinted_sheet", with(sheet(r), [](Material& m) { m.base_color = Vec4(0.9f, 0.2f, 0.2f, 1); })},
       {"half_transmissive_sheet", with(sheet(r), [](Material& m) { m.transmission = 0.5f; }), true},
@@ -204,6 +222,7 @@ std::vector<NamedMaterial> plain_materials(float r) {
       {"brushed_metal", brushed(metal(r)), true},
       {"brushed_half_metal", brushed(with(white(r), [](Material& m) { m.metallic = 0.5f; })), true},
       {"brushed_glass", brushed(glass(r, 1.5f)), true},
+      {"brushed_specular_glass", brushed(coloured_specular(glass(r, 1.5f))), true},
       {"brushed_half_transmissive_sheet", brushed(with(sheet(r), [](Material& m) { m.transmission = 0.5f; })), true},
       {"filmed_plastic", filmed(white(r), 1.8f, 350)},
       {"filmed_gold",
@@ -211,6 +230,10 @@ std::vector<NamedMaterial> plain_materials(float r) {
       {"filmed_half_metal", filmed(with(white(r), [](Material& m) { m.metallic = 0.5f; }), 2.2f, 200)},
       {"filmed_glass", filmed(glass(r, 1.5f), 1.3f, 500), true},
       {"strongly_filmed_glass", filmed(glass(r, 1.5f), 2.2f, 150), true},
+      {"filmed_specular_glass",
+       with(filmed(coloured_specular(glass(r, 1.5f)), 1.8f, 300),
+            [](Material& m) { m.extensions->iridescence = 0.5f; }),
+       true},
       {"filmed_bubble", filmed(glass(r, 1 / 1.5f), 1.3f, 500), true},
       {"soap_sheet", filmed(with(sheet(r), [](Material& m) { m.ior = 1; }), 1.33f, 300), true},
       {"brushed_filmed_plastic", brushed(filmed(white(r), 1.33f, 600))},
@@ -249,6 +272,19 @@ std::vector<NamedMaterial> smooth_materials() { return materials_of_roughness(0)
 
 ClosureBench::ClosureBench(const Material& material, Vec3 normal)
     : scene_(scene_of(material)), tables_(scene_), point_(point_in_plane(normal)) {}
+
+ClosureBench::ClosureBench(const std::vector<NamedMaterial>& materials)
+    : scene_(scene_of(materials)), tables_(scene_), point_(point_in_plane(Vec3(0, 0, 1))) {}
+
+Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples) {
+  glm::dvec3 sum(0);
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const float u_lobe = (static_cast<float>(i) + 0.5f) / static_cast<float>(samples);
+    const auto sample = bsdf.sample(wo, u_lobe, Sampler({3, 5}, i, 11).sample_2d(1));
+    if (sample) sum += glm::dvec3(sample->weight * sqr(sample->eta));
+  }
+  return Vec3(sum / static_cast<double>(samples));
+}
 
 Vec3 direction_at(float degrees) {
   const float theta = glm::radians(degrees), phi = 0.7f;

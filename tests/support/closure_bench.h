@@ -1,6 +1,7 @@
 /// Closures of materials without a scene around them, for tests.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,15 @@ class ClosureBench {
  public:
   /// With another normal it is a point of which a normal map has bent the normal.
   explicit ClosureBench(const Material& material, Vec3 normal = Vec3(0, 0, 1));
+  /// Of several materials, which share their tables: those take longer than many samples.
+  explicit ClosureBench(const std::vector<NamedMaterial>& materials);
   Bsdf bsdf(Vec3 wo, const Wavelength& wavelength = {}) const {
     return make_bsdf(scene_, tables_, point_, wo, wavelength);
+  }
+  Bsdf bsdf_of(std::size_t material, Vec3 wo) const {
+    SurfacePoint point = point_;
+    point.material = static_cast<std::uint32_t>(material);
+    return make_bsdf(scene_, tables_, point, wo);
   }
   const Material& material() const { return scene_.materials[0]; }
 
@@ -39,6 +47,10 @@ class ClosureBench {
   BsdfTables tables_;
   SurfacePoint point_;
 };
+
+/// Energy that leaves towards wo for radiance 1 from everywhere: the mean of weight x eta^2. Numbers that choose lobes
+/// rise from sample to sample: each lobe gets consecutive points of one sequence, which fill its directions evenly.
+Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples);
 
 /// Unit vector with that angle from +z, in degrees, turned a little about it.
 Vec3 direction_at(float degrees);
