@@ -138,10 +138,10 @@ float DielectricAlbedo::average(float roughness, bool from_inside) const {
 template <typename Alpha>
 FilmedDielectricAlbedo::Nodes FilmedDielectricAlbedo::of_facet(Vec3 wo, Vec3 h, Alpha alpha, float eta) {
   Nodes nodes{};
-  const float cosine = glm::dot(wo, h), beyond2 = 1 - (1 - sqr(cosine)) / sqr(eta);
-  if (!(cosine > 0 && beyond2 > 0)) return nodes;  // total reflection, whatever the film
-  const float less_kept = refracted_share(wo, h, alpha, eta) - reflected_share(wo, h, alpha);
-  const float position = (eta < 1 ? glm::sqrt(beyond2) : cosine) * node_count - 1;
+  const float less_kept = less_kept_by_reflecting(wo, h, alpha, eta);
+  if (less_kept == 0) return nodes;
+  const float cosine = glm::dot(wo, h);
+  const float position = (eta < 1 ? glm::sqrt(1 - (1 - sqr(cosine)) / sqr(eta)) : cosine) * node_count - 1;
   for (int node = 0; node < node_count; ++node) {
     nodes[node] = less_kept * glm::max(0.0f, 1 - glm::abs(position - static_cast<float>(node)));
   }

@@ -46,29 +46,28 @@ class BrushedBench {
   }
 
   /// White furnace at those angles and several azimuths: within 1 %, and half of that above.
-  void expect_furnace(std::initializer_list<float> angles, std::uint32_t samples = 4096, float most = 1.005f) const {
+  void expect_furnace(std::initializer_list<float> angles, std::uint32_t samples = 4096) const {
+    constexpr float least = 0.99f, most = 1.005f;
     SurfacePoint point;
     point.normal_geometric = point.normal = Vec3(0, 0, 1);
     for (point.material = 0; point.material < scene_.materials.size(); ++point.material) {
       for (const float azimuth : {0.0f, 20.0f, 55.0f, 75.0f, 90.0f}) {
         for (const float degrees : angles) {
           const Vec3 wo = direction(degrees, azimuth);
-          const Vec3 energy = furnace(make_bsdf(scene_, *tables_, point, wo), wo, samples);
+          const Vec3 energy = furnace(make_bsdf(scene_, *tables_, point, wo), wo, samples, least, most);
           const Material& m = scene_.materials[point.material];
           const auto place = [&] {
             return testing::Message() << "roughness " << m.roughness << " strength " << m.extensions->anisotropy
                                       << " azimuth " << azimuth << " at " << degrees << " degrees";
           };
-          EXPECT_GE(min_component(energy), 0.99f) << place();
-          EXPECT_LE(max_component(energy), most) << place();
+          EXPECT_GT(min_component(energy), least) << place();
+          EXPECT_LT(max_component(energy), most) << place();
         }
       }
     }
   }
 
  private:
-  static float min_component(Vec3 v) { return glm::min(v.x, glm::min(v.y, v.z)); }
-
   Scene scene_;
   std::optional<BsdfTables> tables_;
 };
@@ -122,8 +121,7 @@ TEST(Anisotropy, GlassOfColouredSpecularKeepsAllEnergy) {
   Material m = glass(1.5f);
   m.specular = 0.7f;
   m.specular_color = Vec3(4, 1.5f, 0.2f);
-  // Measured 1.00502: two tables are interpolated.
-  BrushedBench(m).expect_furnace(some_of_both_sides, coloured, 1.006f);
+  BrushedBench(m).expect_furnace(some_of_both_sides, coloured);
 }
 
 // The extension's formula, by hand: along the tangent 0.3^2 grows by 0.6^2 of what is missing to 1, 0.09 + 0.36 x 0.91.

@@ -286,6 +286,11 @@ Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples) {
   return Vec3(sum / static_cast<double>(samples));
 }
 
+Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples, float least, float most) {
+  const Vec3 energy = furnace(bsdf, wo, samples);
+  return min_component(energy) > least && max_component(energy) < most ? energy : furnace(bsdf, wo, 16 * samples);
+}
+
 Vec3 direction_at(float degrees) {
   const float theta = glm::radians(degrees), phi = 0.7f;
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};

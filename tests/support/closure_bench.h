@@ -51,6 +51,8 @@ class ClosureBench {
 /// Energy that leaves towards wo for radiance 1 from everywhere: the mean of weight x eta^2. Numbers that choose lobes
 /// rise from sample to sample: each lobe gets consecutive points of one sequence, which fill its directions evenly.
 Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples);
+/// The same. Where the samples say that a channel is not between `least` and `most`, sixteen times as many decide.
+Vec3 furnace(const Bsdf& bsdf, Vec3 wo, std::uint32_t samples, float least, float most);
 
 /// Unit vector with that angle from +z, in degrees, turned a little about it.
 Vec3 direction_at(float degrees);
